@@ -1,3 +1,5 @@
+// One tick of Source: the state is admitted and filled in, the command is gated and written, what is heard in between.
+
 #include "bridge/source/source.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// `./twinbus check`: prints what a robot's folder is, tries it, proposes a folder; what is odd is found in robot/onboarding.
+
 #include "launcher/commands/commands.h"
 
 #include <algorithm>

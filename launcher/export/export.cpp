@@ -1,3 +1,5 @@
+// `./twinbus export`: a scene for MuJoCo (MJCF) or Drake (URDF).
+
 #include "launcher/commands/commands.h"
 
 #include <cstdio>

@@ -1,3 +1,5 @@
+// `./twinbus log`: its sub-commands; cut, filter, rename and events are here.
+
 #include "launcher/commands/commands.h"
 
 #include <regex.h>

@@ -1,3 +1,5 @@
+// `log compare`: residuals of two logs or sources, tick by tick: joint angles, torques, foot forces, tilt.
+
 #include <array>
 #include <cmath>
 #include <cstdio>

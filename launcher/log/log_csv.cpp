@@ -1,3 +1,5 @@
+// `log csv`: columns of a log as CSV, one row per tick: fields of channels and quantities that follow from them.
+
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -1,3 +1,5 @@
+// `log info`: channels, counts, rates and duration of a log; --check reads all of it.
+
 #include <algorithm>
 #include <cstdio>
 #include <optional>

@@ -1,3 +1,5 @@
+// `log mcap`: writes a log as MCAP, with what Foxglove draws in 3D.
+
 #include <unistd.h>
 
 #include <algorithm>

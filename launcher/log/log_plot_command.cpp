@@ -1,3 +1,5 @@
+// `log plot`: fields of channels as curves: SVG or PNG.
+
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,3 +1,5 @@
+// `log rerun`: computes every command, guard report and estimate of a log again, and compares bit for bit.
+
 #include <cstdio>
 #include <stdexcept>
 

@@ -1,3 +1,5 @@
+// `./twinbus motion`: checks a recorded motion tick by tick, and asks the robot that runs to play it.
+
 #include "launcher/commands/commands.h"
 
 #include <algorithm>

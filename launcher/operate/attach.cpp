@@ -1,3 +1,5 @@
+// `./twinbus attach` and `release`: tell planner and guard what a hand holds.
+
 #include "launcher/commands/commands.h"
 
 #include <array>

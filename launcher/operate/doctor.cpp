@@ -1,3 +1,5 @@
+// `./twinbus doctor`: is this machine ready: network, bus, real time, packages, space.
+
 #include "launcher/commands/commands.h"
 
 #include <sched.h>

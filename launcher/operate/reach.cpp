@@ -1,3 +1,5 @@
+// `./twinbus reach`: brings a hand to a point: goal, plan, motion, and why not.
+
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>

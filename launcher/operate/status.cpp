@@ -1,3 +1,5 @@
+// `./twinbus status`: who is there, rates, roles, terms, timing, once or live.
+
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>

@@ -1,3 +1,5 @@
+// `./twinbus switch`: which source is active, and why another does not take over.
+
 #include "launcher/commands/commands.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Commands that become another program: spy, policy, env, gamepad, face, replay, record, view, bench, chart, campaign.
+
 #include "launcher/commands/commands.h"
 
 #include <sys/wait.h>

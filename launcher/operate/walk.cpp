@@ -1,3 +1,5 @@
+// `./twinbus walk`: a velocity for a while, or footsteps of a file; says how it ended.
+
 #include "launcher/commands/commands.h"
 
 #include <cmath>

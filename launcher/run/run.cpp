@@ -1,3 +1,5 @@
+// `./twinbus run`: a scene in one process without a bus, as fast as it goes, with report and exit status.
+
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>

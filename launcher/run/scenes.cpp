@@ -1,3 +1,5 @@
+// `./twinbus scenes`: which scenes there are, by group.
+
 #include "launcher/commands/commands.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// `./twinbus tune`: the cheapest order and step that hold an error; `explain`: what of a scene is modelled, at what cost.
+
 #include "launcher/commands/commands.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// `./twinbus sim` and `push`: pause, single steps, slow motion, reset of the simulated world; a push.
+
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>

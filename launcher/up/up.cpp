@@ -1,3 +1,5 @@
+// `./twinbus up`: starts and supervises a stack, says what happens to it, ends it.
+
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>

@@ -1,3 +1,5 @@
+// Motions from NPZ: root pose and joints as arrays, of the layouts that are in use.
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>

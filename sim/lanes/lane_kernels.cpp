@@ -1,3 +1,5 @@
+// The step of four worlds in the lanes of a vector, each kernel once per instruction set.
+
 #include "sim/lanes/lane_block.h"
 
 #include "sim/articulated/articulated_kernels.h"

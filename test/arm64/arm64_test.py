@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """twinbus for arm64: built by the preset arm64, run by qemu-user; stands and walks, and its figures are those of this machine but for rounding.
 
-    arm64_test.py [--no-build] [--unit]      --unit: also unit tests of geometry and messages
+    arm64_test.py [--no-build] [--unit|--every-unit]      --unit: also unit tests of geometry and messages; --every-unit: of everything
+                                                           that is a program (half an hour of building)
 
 Skipped with a sentence where the root (test/arm64/root.sh), the cross compiler or qemu-user is missing.
 """
 
 import argparse
 import csv
+import json
 import os
 import pathlib
 import subprocess
@@ -47,6 +49,27 @@ def build(targets):
             sys.exit(f"arm64: {' '.join(map(str, words))}: {done.stdout[-1500:]}{done.stderr[-1500:]}")
 
 
+def every_unit():
+    """Programs of unit tests, as ctest of this machine's build knows them."""
+    listed = subprocess.run(["ctest", "--test-dir", ROOT / "build/release", "-L", "unit", "--show-only=json-v1"], capture_output=True, text=True)
+    if listed.returncode != 0:
+        skip("build/release is not configured; run: ./twinbus test --quick")
+    programs = {pathlib.Path(test["command"][0]) for test in json.loads(listed.stdout)["tests"] if test.get("command")}
+    return sorted(program.name for program in programs if program.parent == ROOT / "build/release/bin" and program.name.endswith("_test"))
+
+
+def unit(name, root):
+    """Runs a program of unit tests; what fails and what is skipped is named.  Whether all passes."""
+    done = subprocess.run(["qemu-aarch64", "-L", str(root), str(BUILD / "bin" / name), "--gtest_brief=1"], cwd=BUILD, capture_output=True, text=True,
+                          env=dict(os.environ, TWINBUS_CACHE=str(BUILD / "cache"), TWINBUS_CONFIG=str(ROOT / "config")))
+    lines = done.stdout.splitlines()
+    for line in lines:
+        if line.startswith(("[  SKIPPED ]", "[  FAILED  ]")) and ("." in line or "test" in line):
+            print(f"    {line}")
+    print(f"{name}: {'passes' if done.returncode == 0 else f'FAILED, exit status {done.returncode}: ' + (lines or ['?'])[-1]}", flush=True)
+    return done.returncode == 0
+
+
 def campaign(*words, program):
     environment = dict(os.environ, TWINBUS_PROGRAM=str(program), TWINBUS_CONFIG=str(ROOT / "config"))
     return subprocess.run([sys.executable, ROOT / "campaign/campaign.py", *map(str, words)], env=environment, capture_output=True, text=True)
@@ -56,14 +79,16 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--no-build", action="store_true")
     parser.add_argument("--unit", action="store_true")
+    parser.add_argument("--every-unit", action="store_true")
     given = parser.parse_args()
     root = pathlib.Path(os.environ.get("TWINBUS_ARM64_ROOT", pathlib.Path.home() / ".cache/twinbus/roots/arm64"))
     require(root)
     here = pathlib.Path(os.environ.get("TWINBUS_BIN", ROOT / "build/release/bin")) / "twinbus"
     if not here.exists():
         skip(f"{here} is not built")
+    units = every_unit() if given.every_unit else UNIT if given.unit else ()
     if not given.no_build:
-        build(["twinbus", *(UNIT if given.unit else ())])
+        build(["twinbus", *units])
     bad = 0
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
@@ -92,11 +117,7 @@ def main():
                 print(f"FAILED {row['id']}: does not say that the architectures differ: {row['differs_in']}")
                 bad += 1
         bad += len(rows) != 6
-    for name in UNIT if given.unit else ():
-        done = subprocess.run(["qemu-aarch64", "-L", str(root), str(BUILD / "bin" / name), "--gtest_brief=1"], cwd=BUILD, capture_output=True, text=True,
-                              env=dict(os.environ, TWINBUS_CACHE=str(BUILD / "cache")))
-        print(f"{name}: {(done.stdout.splitlines() or ['?'])[-1] if done.returncode else 'passes'}")
-        bad += done.returncode != 0
+    bad += sum(not unit(name, root) for name in units)
     return 1 if bad else 0
 
 

@@ -1,3 +1,5 @@
+// A post and an arm that turns beside it: the smallest robot that touches itself.
+
 #pragma once
 
 #include <Eigen/Geometry>

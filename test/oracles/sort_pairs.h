@@ -1,3 +1,5 @@
+// Pairs of links in order of how often they touch in random postures.
+
 #pragma once
 
 #include "planner/batch/robot.h"

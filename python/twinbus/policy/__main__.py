@@ -1,3 +1,4 @@
+"""python3 -m twinbus.policy, as ./twinbus policy starts it."""
 import sys
 
 from .arguments import REMEDY, parse
