@@ -205,7 +205,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.settings.world.self_contact = s.scene.self_contact;
     s.settings.world.asleep = s.scene.asleep;
     if (s.scene.accuracy > 0.0) s.settings.world.accuracy = s.scene.accuracy;
-    s.settings.world.band = s.scene.band;
+    s.settings.world.bands = s.scene.bands;
     s.settings.world.fixed_base = s.scene.fixed_base || !model.floating_base;
     apply_settings(s.scene.settings, model.period(), s.settings);
     apply_settings(config.settings, model.period(), s.settings);

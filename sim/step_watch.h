@@ -17,7 +17,7 @@ namespace twinbus {
 class StepWatch {
  public:
   StepWatch(const Model& model, const WorldConfig& config, std::size_t most_pushes)
-      : balance_(model, config), error_(model.links.size(), config.loose.size(), config) {
+      : bands_(config.bands), balance_(model, config), error_(model.links.size(), config.loose.size(), config) {
     pushes_.reserve(most_pushes);
   }
   // After a jump of the world.
@@ -48,12 +48,13 @@ class StepWatch {
     pushes_.clear();
     StepTrust trust = world.trust();
     trust[Doubt::kEnergy] = balance_.add(world, work);
+    trust.know(bands_);
     if (balance_.looks() && error_.add(balance_.velocities(), balance_.own_velocities(), touched(world)))
       trust[Doubt::kCoarse] = true;
     counts_.add(trust, balance_.gain(), time);
   }
   const TrustCounts& counts() const noexcept { return counts_; }
-  double band() const noexcept { return error_.band(); }  // sim/engine/local_error.h [m]
+  TrustBands bands() const noexcept { return {error_.band(), balance_.gain_band(), balance_.rise_band(), counts_.first_depth}; }
 
   void time_steps() noexcept {
     timed_ = true;
@@ -70,6 +71,7 @@ class StepWatch {
     return std::any_of(world.contacts().begin(), world.contacts().end(), [](const ContactPoint& c) { return !c.tie; });
   }
 
+  TrustBands bands_;
   EnergyBalance balance_;
   LocalError error_;
   TrustCounts counts_;

@@ -32,7 +32,7 @@ void add_this_program(FingerprintMaker& maker) {
 Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfig& config,
                    const AccuracyRequest& request) {
   FingerprintMaker maker;
-  maker.add("ladder 5");
+  maker.add("ladder 6");
   add_this_program(maker);
   maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash);
   maker.add(scene.fidelity).add(static_cast<std::int64_t>(scene.held.size())).add(static_cast<std::int64_t>(scene.rigid.size()));

@@ -137,7 +137,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
     track.moved.lay = static_cast<double>(lay) / static_cast<double>(track.at.size() * at(run.world().loose_count()));
   track.whole = run.ticks() >= ticks;
   track.stopped = run.state().role == Role::kStopped;
-  track.band = run.band();
+  track.bands = run.bands();
   track.cost = run.physics_seconds();
   track.all = thread_cpu_seconds() - begun;
   return track;
@@ -247,7 +247,7 @@ Rung rung_of(int order, double step, const Track& track, const Track& yardstick,
   rung.at = kEvery * static_cast<double>(apart.sample + 1);
   rung.body = track.names.empty() ? "" : track.names[apart.body];
   rung.whole = track.whole;
-  rung.band = track.band;
+  rung.bands = track.bands;
   return rung;
 }
 

@@ -33,7 +33,7 @@ struct Track {
   bool whole = true;                             // the run did not end early
   bool stopped = false;                          // and not with its source stopped
   bool slept = false;                            // a loose body was asleep
-  double band = 0.0;                             // what its steps add up to: sim/engine/local_error.h [m]
+  TrustBands bands;                              // what its doubts came to
 };
 
 // Throws std::runtime_error as OneProcess does.
@@ -54,7 +54,7 @@ struct Rung {
   double at = 0.0;       // where it is farthest [s]
   std::string body;      // and what
   bool whole = true;     // the run did not end early
-  double band = 0.0;     // what its steps add up to: sim/engine/local_error.h [m]
+  TrustBands bands;      // what its doubts came to
   Less less;             // what was left out
   bool operator==(const Rung&) const = default;
 };

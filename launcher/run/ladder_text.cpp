@@ -14,6 +14,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kWritten = 1e300;  // stands for it
 
+// Of what is never below zero.
+double written(double value) { return std::isfinite(value) ? value : -1.0; }
+
 void write(std::ostream& text, const Moved& moved) {
   text << moved.robots.size() << ' ' << std::min(moved.links, kWritten) << ' ' << moved.lay;
   for (const auto* numbers : {&moved.joints, &moved.robot_ways, &moved.clear, &moved.above}) {
@@ -53,13 +56,13 @@ bool read(std::istream& in, Moved& moved) {
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 7 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
-       << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
+  text << "ladder 8 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+       << written(ladder.agreement) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
     text << r.order << ' ' << r.step << ' ' << r.cost << ' '
-         << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
-         << (std::isfinite(r.band) ? r.band : -1.0) << ' '
-         << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
+         << written(r.apart) << ' ' << r.at << ' ' << r.whole << ' '
+         << written(r.bands.off) << ' ' << written(r.bands.gain) << ' ' << written(r.bands.rise) << ' '
+         << written(r.bands.depth) << ' ' << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
          << r.less.untouched.size() << ' ' << r.less.aloft.size() << ' '
          << r.less.apart << ' ' << r.less.asleep << ' ' << r.body << '\n';
     for (const auto* names : {&r.less.held, &r.less.rigid, &r.less.still, &r.less.untouched, &r.less.aloft}) {
@@ -67,7 +70,7 @@ std::string ladder_text(const Ladder& ladder) {
     }
   }
   for (const Parted& p : ladder.parted)
-    text << (std::isfinite(p.apart) ? p.apart : -1.0) << ' ' << p.body << '\n';
+    text << written(p.apart) << ' ' << p.body << '\n';
   write(text, ladder.moved);
   return text.str();
 }
@@ -79,7 +82,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder found;
   if (!(in >> word >> version >> rungs >> parted >> found.agreement >> found.cost) ||
-      word != "ladder" || version != 7 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 8 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
@@ -87,13 +90,14 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
     std::size_t held = 0, rigid = 0, still = 0, untouched = 0, aloft = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> r.band >>
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >>
+          r.bands.off >> r.bands.gain >> r.bands.rise >> r.bands.depth >>
           held >> rigid >> still >> untouched >> aloft >>
           r.less.apart >> r.less.asleep))
       return false;
     if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still, untouched, aloft}) > 1000) return false;
     r.apart = endless(r.apart);
-    r.band = endless(r.band);
+    for (double* band : {&r.bands.off, &r.bands.gain, &r.bands.rise, &r.bands.depth}) *band = endless(*band);
     std::getline(in, r.body);
     if (!r.body.empty()) r.body.erase(0, 1);
     r.less.held.resize(held);

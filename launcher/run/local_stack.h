@@ -93,7 +93,7 @@ class OneProcess {
   const World& world() const { return *sim_.world(); }
   const WorldConfig& world_config() const { return sim_.world_config(); }
   const TrustCounts& trust() const { return sim_.watch().counts(); }
-  double band() const { return sim_.watch().band(); }  // [m]
+  TrustBands bands() const { return sim_.watch().bands(); }
   void time_physics() { sim_.time_steps(); }  // from now on
   double physics_seconds() const { return sim_.watch().seconds(); }  // CPU [s]
   const std::string& loose_name(int body) const {

@@ -35,7 +35,7 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
-constexpr double kBand = 1.5;                           // times what the steps of the run that was measured add up to
+constexpr double kBand = 1.5;                          // times what the doubts of the run that was measured came to
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
 
 std::vector<std::pair<std::string, std::string>> settings_of(const Arguments& arguments,
@@ -360,8 +360,8 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
       rung.less.untouched.clear();  // another seed may come to touch what this one does not
       rung.less.apart = false;
       undrawn = at_rung(undrawn, rung);
-      // The ladder has measured what this run is off by, so its steps are doubted where they add up to more than they did there.
-      if (std::isfinite(rung.band)) scene.band = undrawn.band = kBand * rung.band;
+      // The ladder has measured what this run is off by, so its steps are doubted where they are worse than they were there.
+      scene.bands = undrawn.bands = rung.bands.times(kBand);
       std::erase_if(config.settings,
                     [](const auto& each) { return each.first == "solver.order"; });
       request.step_s = rung.step;

@@ -28,6 +28,7 @@ double fastest_change(const Configuration& a, const Configuration& b) noexcept {
 // Where an event lies within a step, the step is taken in ever smaller parts, which grow again from
 // step to step once it is calm: servos and ground that a landing has shaken ring on for a while.
 bool ArticulatedWorld::advance_in_parts() noexcept {
+  work_ = 0.0;
   if (calm_ || ++held_ == kMostHeld) {
     part_ = std::min(2 * part_, kEventParts);
     held_ = 0;
@@ -60,6 +61,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   bool smooth = true, airborne = true;
   bool moved = false;  // the body is placed elsewhere than at the start
   std::uint64_t expected = 0;
+  std::array<double, 3> work{};  // of the servos in one, two and three parts [J]
   for (int parts = 1; parts <= config_.order; ++parts) {
     if (parts > 1) go_back(std::exchange(moved, false));
     for (int i = 0; i < parts; ++i) {
@@ -68,6 +70,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
       moved = moved || goes_on || floats();
       if (outcome == Outcome::kFailed && parts == config_.order) return Outcome::kFailed;
       smooth = smooth && outcome == Outcome::kTaken;
+      work[at(parts - 1)] += work_since(next_);  // where it was before, since they were swapped
       if (parts == 1) {
         expected = pattern();
         momentum = before_;
@@ -100,12 +103,25 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   if (!smooth) {
     if (!floats()) body_.place(configuration_);
     ++events_;
+    work_ += work[at(config_.order - 1)];
     return Outcome::kTaken;
   }
+  const double second = 2.0 * work[1] - work[0];
+  work_ += config_.order == 2 ? second : (3.0 * (3.0 * work[2] - 2.0 * work[1]) - second) / 2.0;
   loose_.extrapolate(config_.order);
   airborne_ = airborne;
   place_after(momentum, h, 0.5);
   return Outcome::kTaken;
+}
+
+// Of servos in a solve that led from there to where the robot is [J].
+double ArticulatedWorld::work_since(const Configuration& before) const noexcept {
+  double work = 0.0;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    work += joints_[j].tau() * (configuration_.q[index] - before.q[index]);
+  }
+  return work;
 }
 
 // Something came to touch or to part within the last solve.

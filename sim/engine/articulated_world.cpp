@@ -159,6 +159,7 @@ double ArticulatedWorld::corner_offset(int sole, int corner) const noexcept {
 
 Status ArticulatedWorld::step() noexcept {
   trust_ = {};
+  work_ = kUnknown;
   const long unconverged = unconverged_, unsettled = unsettled_;
   const Status status = take_step();
   trust_[Doubt::kUnconverged] = unconverged_ > unconverged;

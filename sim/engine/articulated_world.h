@@ -59,6 +59,7 @@ class ArticulatedWorld final : public World {
   const Configuration& configuration() const noexcept override { return configuration_; }
   double encoder(int joint) const noexcept override;
   double tau(int joint) const noexcept override;
+  double servo_work() const noexcept override { return work_; }
   Eigen::Isometry3d link_in_world(int link) const noexcept override;
   Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
   Eigen::Vector3d angular_velocity(int link) const noexcept override;
@@ -108,6 +109,7 @@ class ArticulatedWorld final : public World {
   bool advance_settled() noexcept;
   bool advance_in_parts() noexcept;
   Outcome extrapolated(double h, bool may_reject) noexcept;
+  double work_since(const Configuration& before) const noexcept;
   bool crosses() const noexcept;
   bool within_stops() const noexcept;
   void go_back(bool moved) noexcept;
@@ -163,6 +165,7 @@ class ArticulatedWorld final : public World {
   long events_ = 0;
   long flown_ = 0;
   bool converged_ = true;  // the last solve
+  double work_ = 0.0;      // of the servos in the last step of order 2 or 3; else kUnknown [J]
   bool airborne_ = false;  // nothing fixed touched the robot when the last solve began
   Momentum before_;        // then
   bool frozen_ = false;

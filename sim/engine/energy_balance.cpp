@@ -1,6 +1,7 @@
 #include "sim/engine/energy_balance.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"
@@ -23,7 +24,9 @@ EnergyBalance::EnergyBalance(const Model& model, const WorldConfig& config)
       velocity_(model.links.size() + config.loose.size()),
       own_velocity_(model.links.size()),
       q_(model.joints.size()),
-      tau_(model.joints.size()) {
+      tau_(model.joints.size()),
+      most_gain_(config.bands.gain),
+      most_rise_(config.bands.rise) {
   for (const LooseBody& body : config.loose) {
     loose_inertia_.push_back(inertia_of(body));
     loose_mass_.push_back(body.mass);
@@ -66,13 +69,13 @@ void EnergyBalance::begin(const World& world) noexcept {
     q_[j] = world.configuration().q[static_cast<Eigen::Index>(j)];
     tau_[j] = world.tau(static_cast<int>(j));
   }
-  gain_ = sum_ = lowest_ = 0.0;
+  gain_ = sum_ = lowest_ = least_ = 0.0;
 }
 
 bool EnergyBalance::add(const World& world, double pushed) noexcept {
   if (silent_) return false;
   const Energy now = of(world);
-  double work = pushed;
+  double work = 0.0;
   for (std::size_t j = 0; j < q_.size(); ++j) {
     const double q = world.configuration().q[static_cast<Eigen::Index>(j)];
     const double tau = world.tau(static_cast<int>(j));
@@ -80,14 +83,20 @@ bool EnergyBalance::add(const World& world, double pushed) noexcept {
     q_[j] = q;
     tau_[j] = tau;
   }
-  gain_ = now.all() - before_.all() - work;
+  if (const double known = world.servo_work(); !std::isnan(known)) work = known;
+  gain_ = now.all() - before_.all() - pushed - work;
   const double scale = std::max(now.kinetic + now.elastic, before_.kinetic + before_.elastic);
   before_ = now;
   sum_ += gain_;
   lowest_ = std::min(lowest_, sum_);
-  const bool risen = sum_ - lowest_ > kRise * scale + kLeast;
+  least_ = std::min(least_, sum_);
+  if (estimated_) return false;
+  const double gains = kShare * scale + kLeast, rises = kRise * scale + kLeast;
+  if (!(gain_ <= gains) && !(gain_ <= gain_band_)) gain_band_ = gain_;
+  if (!(sum_ - least_ <= rises) && !(sum_ - least_ <= rise_band_)) rise_band_ = sum_ - least_;
+  const bool risen = sum_ - lowest_ > std::max(rises, most_rise_);
   if (risen) lowest_ = sum_;  // said once
-  return !estimated_ && (risen || !(gain_ <= kShare * scale + kLeast));
+  return risen || !(gain_ <= std::max(gains, most_gain_));
 }
 
 }  // namespace twinbus

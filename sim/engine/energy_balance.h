@@ -3,8 +3,8 @@
 //     gain = kinetic + potential + what springs store, now - before  -  work of servos and pushes
 //
 // Friction, dampers, stops and backward Euler only take energy: a gain is an error of the step.  The
-// work of a servo is its torque times the way of its joint, of the torques before and after whichever
-// gives more.  Of worlds with further robots, whose servos nobody sees, nothing is said.
+// work of a servo is its torque times the way of its joint: engine articulated knows it at orders 2 and 3, where a command
+// that leaps makes the torque leap within the step; else of the torques before and after whichever gives more.  Of worlds with further robots, whose servos nobody sees, nothing is said.
 
 #pragma once
 
@@ -34,6 +34,10 @@ class EnergyBalance {
 
   double gain() const noexcept { return gain_; }  // of the last step; below zero: lost [J]
 
+  // The least config.bands with which no step since the world began would have been doubted [J].
+  double gain_band() const noexcept { return gain_band_; }
+  double rise_band() const noexcept { return rise_band_; }
+
  private:
   struct Energy {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;
@@ -51,7 +55,10 @@ class EnergyBalance {
   std::vector<Eigen::Vector3d> velocity_, own_velocity_;
   std::vector<double> q_, tau_;  // of the joints, before
   double gain_ = 0.0;
-  double sum_ = 0.0, lowest_ = 0.0;  // of all gains since begin(), and the least it was [J]
+  double sum_ = 0.0, lowest_ = 0.0;  // of all gains since begin(), and the least it was, or where a rise was said [J]
+  double least_ = 0.0;               // and the least it was [J]
+  double most_gain_, most_rise_;     // config.bands: what was more than this is doubted [J]
+  double gain_band_ = 0.0, rise_band_ = 0.0;
 };
 
 }  // namespace twinbus

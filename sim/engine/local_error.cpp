@@ -24,7 +24,7 @@ void keep(const Eigen::Vector3d& now, auto& past) noexcept {
 
 LocalError::LocalError(std::size_t links, std::size_t others, const WorldConfig& config)
     : order_(config.engine == Engine::kArticulated ? std::clamp(config.order, 1, kMostOrder) : 1),
-      limit_(std::max(config.accuracy, config.band)),
+      limit_(std::max(config.accuracy, config.bands.off)),
       scale_(config.flight == Flight::kImplicit ? kShare[at(order_ - 1)] * config.step : 0.0),
       fall_(config.engine == Engine::kArticulated ? kGravity * config.step : std::numeric_limits<double>::quiet_NaN()),
       keep_(std::exp(-config.step / kHeals)),

@@ -41,7 +41,7 @@ class LocalError {
   bool add(const std::vector<Eigen::Vector3d>& world, const std::vector<Eigen::Vector3d>& own, bool touched) noexcept;
   // Somebody looked at the world and asks for something else.
   void driven() noexcept;
-  double limit() const noexcept { return limit_; }  // config.accuracy, or config.band where that is more: beyond it a step is doubted [m]
+  double limit() const noexcept { return limit_; }  // config.accuracy, or config.bands.off where that is more: beyond it a step is doubted [m]
   double band() const noexcept { return band_; }    // the least limit with which no step since the world began would have been doubted [m]
 
   double most() const noexcept { return std::max(most_of_links_, most_of_others_); }  // the sum of the body that is off the most [m]

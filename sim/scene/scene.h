@@ -135,7 +135,7 @@ struct Scene {
   double duration = 10.0;                 // [s] of `twinbus run`
   std::string about;                      // one sentence
   double accuracy = 0.0;  // error asked for: `run` finds order and step that hold it [m]; 0: not asked
-  double band = 0.0;      // no key: what the steps of the run that was found add up to, WorldConfig::band [m]
+  TrustBands bands;       // no key: of the run that was found, WorldConfig::bands
   std::string fidelity = "full";           // or auto, legs, rigid: sim/scene/fidelity.h
   std::vector<std::string> held, rigid;    // joints, further robots: the same
   std::vector<std::string> aloft, untouched;  // links of the robot: the same

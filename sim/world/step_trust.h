@@ -7,9 +7,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace twinbus {
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 enum class Doubt {
   kUnconverged,  // the contacts did not settle even in the smallest part of the step
@@ -26,6 +30,22 @@ inline constexpr const char* kDoubtNames[kDoubts] = {"unconverged", "unsettled",
 // A contact that nothing says why it is deeper when it is first seen is doubted [m].
 inline constexpr double kFirstDepth = 2e-3;
 
+// Of each doubt that has a size, the least limit with which no step of a run would have had it.  A run whose error was measured
+// is doubted beyond what it came to there: what these say of it is then known, and only more is news.
+struct TrustBands {
+  double off = 0.0;    // what steps add up to: sim/engine/local_error.h [m]
+  double gain = 0.0;   // of energy in a step [J]
+  double rise = 0.0;   // of energy over the least there was [J]
+  double depth = 0.0;  // of a contact first seen too deep [m]
+  bool operator==(const TrustBands&) const = default;
+
+  // So many times each; nothing of one that has no bound.
+  TrustBands times(double factor) const noexcept {
+    const auto each = [factor](double band) { return std::isfinite(band) ? factor * band : 0.0; };
+    return {each(off), each(gain), each(rise), each(depth)};
+  }
+};
+
 // Of one step.
 struct StepTrust {
   std::array<bool, kDoubts> doubt{};
@@ -33,6 +53,10 @@ struct StepTrust {
 
   bool& operator[](Doubt d) noexcept { return doubt[static_cast<std::size_t>(d)]; }
   bool operator[](Doubt d) const noexcept { return doubt[static_cast<std::size_t>(d)]; }
+  // A contact seen no deeper than that is no news.
+  void know(const TrustBands& bands) noexcept {
+    if (first_depth <= bands.depth) (*this)[Doubt::kDeep] = false;
+  }
   bool any() const noexcept {
     return std::any_of(doubt.begin(), doubt.end(), [](bool each) { return each; });
   }

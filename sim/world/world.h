@@ -105,7 +105,7 @@ struct WorldConfig {
   bool asleep = false;                      // loose bodies that lie still: sim/objects/rigid_object_sleep.cpp
   bool continuous = false, twin = false;    // sim/objects/entry_faces.h; sim/engine/twinned_world.h
   double accuracy = 2e-3;                   // steps that are off by more are doubted: sim/engine/local_error.h [m]
-  double band = 0.0;                        // of a run whose error was measured: what its steps add up to, doubted beyond it [m]
+  TrustBands bands;                         // of a run whose error was measured: doubted beyond them
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h
@@ -185,6 +185,7 @@ class World {
   virtual const Configuration& configuration() const noexcept = 0;
   virtual double encoder(int joint) const noexcept = 0;
   virtual double tau(int joint) const noexcept = 0;  // of the servo, no friction or rotor inertia
+  virtual double servo_work() const noexcept { return kUnknown; }  // in the last step [J]
   virtual Eigen::Isometry3d link_in_world(int link) const noexcept = 0;
   virtual Eigen::Vector3d point_velocity(int link,
                                          const Eigen::Vector3d& point) const noexcept = 0;  // world

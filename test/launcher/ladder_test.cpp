@@ -18,7 +18,7 @@ Ladder ladder() {
     r.step = step;
     r.cost = cost;
     r.apart = apart;
-    r.band = 2.0 * apart;
+    r.bands = {2.0 * apart, 3.0 * apart, 4.0 * apart, 5.0 * apart};
     r.body = "link foot";
     return r;
   };
@@ -92,6 +92,7 @@ TEST(Ladder, TheCacheGivesBackWhatItWasGiven) {
   Ladder l = ladder();
   l.rungs[0].apart = std::numeric_limits<double>::infinity();
   l.rungs[0].whole = false;
+  l.rungs[2].bands.rise = std::numeric_limits<double>::infinity();
   l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}, {"base"}, {"L FOOT", "TORSO"}, {"HEAD"}, true, true};
   l.moved.joints = {0.1, 0.2};
   l.moved.robots = {"left one"};

@@ -125,7 +125,7 @@ TEST(LocalError, TheBandIsTheLeastLimitThatDoubtsNoStep) {
     config.order = 2;
     config.step = 0.006;
     config.accuracy = asked;
-    config.band = allowed;
+    config.bands.off = allowed;
     LocalError error(3, 1, config);
     std::vector<Eigen::Vector3d> v(4, Eigen::Vector3d::Zero()), own(3, Eigen::Vector3d::Zero());
     error.begin(v, own);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
@@ -114,6 +115,84 @@ TEST(StepTrust, AChainThatGainsEnergyIsDoubtedBeforeItDiverges) {
   EXPECT_GT(doubted, 0);
 }
 
+// A pendulum swings freely, and from time to time something gives it energy that nobody accounts for.
+struct Planted {
+  long doubted = 0;
+  double gain = 0.0, rise = 0.0;  // bands [J]
+};
+Planted planted(const TrustBands& bands, int every, double squared) {  // of its speed [rad^2/s^2]
+  const Model model = test::pendulum();
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = 1e-3;
+  config.bands = bands;
+  const auto world = make_world(model, config);
+  Configuration start(model);
+  start.q[0] = 1.0;
+  EXPECT_EQ(world->set(start), Status::kOk);
+  EnergyBalance balance(model, config);
+  balance.begin(*world);
+  Planted found;
+  for (int i = 1; i <= 1000; ++i) {
+    if (i % every == 0) {
+      Configuration faster = world->configuration();
+      faster.qd[0] = std::copysign(std::sqrt(faster.qd[0] * faster.qd[0] + squared), faster.qd[0]);
+      EXPECT_EQ(world->set(faster), Status::kOk);
+    }
+    EXPECT_EQ(world->step(), Status::kOk);
+    found.doubted += balance.add(*world, 0.0) ? 1 : 0;
+  }
+  found.gain = balance.gain_band();
+  found.rise = balance.rise_band();
+  return found;
+}
+
+// A run whose error was measured is doubted beyond what its own steps gained.
+TEST(StepTrust, WhatAMeasuredRunGainedIsKnownAndMoreIsDoubted) {
+  const Planted measured = planted({}, 100, 2.0);
+  EXPECT_GE(measured.doubted, 10);
+  ASSERT_GT(measured.gain, 0.1);
+  ASSERT_GT(measured.rise, 5.0 * measured.gain);
+  const TrustBands known{.gain = measured.gain, .rise = measured.rise};
+  EXPECT_EQ(planted(known, 100, 2.0).doubted, 0);
+  EXPECT_GT(planted(known.times(0.99), 100, 2.0).doubted, 0);
+  const TrustBands allowed = known.times(1.5);
+  EXPECT_EQ(planted(allowed, 100, 2.0).doubted, 0);
+  EXPECT_GT(planted(allowed, 500, 6.0).doubted, 0);  // more at once, less together
+  EXPECT_GT(planted(allowed, 50, 2.0).doubted, 0);   // no more at once, more together
+  EXPECT_EQ(planted({}, 2000, 2.0).gain, 0.0);       // nothing planted
+  EXPECT_LT(planted({}, 2000, 2.0).rise, 0.1 * measured.gain);
+}
+
+TEST(StepTrust, BandsHaveABoundOrNone) {
+  const TrustBands bands{1.0, 2.0, std::numeric_limits<double>::infinity(), std::nan("")};
+  EXPECT_EQ(bands.times(1.5), (TrustBands{1.5, 3.0, 0.0, 0.0}));
+}
+
+// A command that leaps makes the torque of a stiff servo leap at the start of the step, where neither end of it shows the torque.
+TEST(StepTrust, AServoThatIsAskedToLeapInEveryStepIsNoGain) {
+  const Model model = test::pendulum();
+  for (const int order : {1, 2, 3}) {
+    WorldConfig config;
+    config.fixed_base = true;
+    config.step = 2e-3;
+    config.order = order;
+    const auto world = make_world(model, config);
+    ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+    EnergyBalance balance(model, config);
+    balance.begin(*world);
+    double most = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      (void)world->set_servo(0, {.q = i % 3 == 0 ? 0.1 : 0.0, .kp = 3000.0, .kd = 100.0});
+      ASSERT_EQ(world->step(), Status::kOk);
+      EXPECT_FALSE(balance.add(*world, 0.0)) << order << " " << i << ": " << balance.gain();
+      most = std::max(most, world->servo_work());
+    }
+    EXPECT_EQ(most > 0.1, order > 1) << most;
+    EXPECT_EQ(std::isnan(world->servo_work()), order == 1);
+  }
+}
+
 // A box slides at 2 m/s and is stopped by friction: of a step h it comes to rest h / 2 times its speed off.
 WorldConfig sliding(double step) {
   WorldConfig config;
@@ -205,6 +284,17 @@ TEST(StepTrust, ATwinDoubtsByTheAccuracyAsked) {
   };
   EXPECT_EQ(doubted(0.1), 0);
   EXPECT_GT(doubted(1e-4), 100);
+}
+
+TEST(StepTrust, AContactFirstSeenNoDeeperThanInTheRunThatWasMeasuredIsKnown) {
+  StepTrust step;
+  step[Doubt::kDeep] = step[Doubt::kThrough] = true;
+  step.first_depth = 0.01;
+  step.know({.depth = 0.009});
+  EXPECT_TRUE(step[Doubt::kDeep]);
+  step.know({.depth = 0.01});
+  EXPECT_FALSE(step[Doubt::kDeep]);
+  EXPECT_TRUE(step[Doubt::kThrough]);
 }
 
 TEST(StepTrust, CountsSayHowOftenAndWhatCameFirst) {
