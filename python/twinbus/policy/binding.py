@@ -7,7 +7,7 @@ import sys
 import threading
 from typing import Any, Callable
 
-from .controller import Controller
+from .acting import Acting
 from .errors import PolicyError
 from .model_text import ModelText
 from .robot import Robot
@@ -18,13 +18,13 @@ SWITCH = 0.0005  # threads of Python take turns so often while a robot is read, 
 class Binding:
     """Starts by itself as soon as the texts of a robot are whole, before the first STATE when they come before it."""
 
-    def __init__(self, bind: Callable[[Robot], Controller]) -> None:
+    def __init__(self, bind: Callable[[Robot], Acting]) -> None:
         self._bind, self._texts = bind, ModelText()
         self._thread: threading.Thread | None = None
         self._error: Exception | None = None
         self._hash = 0
         self._robot: Robot | None = None
-        self._controller: Controller | None = None
+        self._controller: Acting | None = None
 
     def hear(self, piece: Any) -> None:
         """A message of MODEL_TEXT."""
@@ -32,7 +32,7 @@ class Binding:
         if self._thread is None and self._texts.whole(piece.model_hash):
             self._begin(piece.model_hash)
 
-    def look(self, model_hash: int) -> tuple[Robot | None, Controller | None]:
+    def look(self, model_hash: int) -> tuple[Robot | None, Acting | None]:
         """What is known by now of the robot with that hash.  What went wrong in the thread is thrown here."""
         if self._error is not None:
             raise self._error

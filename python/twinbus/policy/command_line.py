@@ -13,6 +13,7 @@ from ..bus import Bus
 from ..home import as_typed
 from . import answer_map, check, find, robot, spec, suspects, trial
 from . import propose as begin
+from .acting import Acting
 from .controller import Controller
 from .errors import PolicyError, Refused
 from .follower import STANDS
@@ -53,7 +54,7 @@ def run(words: argparse.Namespace) -> int:
             print(f'policy: follows {motion.source}: {len(motion)} frames, {len(motion) * specification.period:.1f} s', flush=True)
         return controller
 
-    def bind(found: robot.Robot) -> Controller:
+    def bind(found: robot.Robot) -> Acting:
         first = bind_one(network, words.spec, found)
         second = None if beside is None else bind_one(beside, words.play_spec, found)
         look_at_motion(words.motion, first.spec, first.spec if second is None else second.spec)

@@ -28,7 +28,7 @@ def pair_up(walks: Spec, plays: Spec) -> None:
                           f'{1e3 * walks.period:g} ms; --play wants the same period')
 
 
-class Repertoire(Controller):
+class Repertoire:
     """walks, plays: of one robot.  PolicyError when they are no pair."""
 
     def __init__(self, walks: Controller, plays: Controller) -> None:
@@ -37,15 +37,15 @@ class Repertoire(Controller):
         self._asked, self._waited = False, 0.0
 
     @property
-    def spec(self) -> Spec:  # type: ignore[override]
+    def spec(self) -> Spec:
         return self._now.spec
 
     @property
-    def robot(self) -> Robot:  # type: ignore[override]
+    def robot(self) -> Robot:
         return self._walks.robot
 
     @property
-    def observation(self) -> Observation:  # type: ignore[override]
+    def observation(self) -> Observation:
         return self._now.observation
 
     @property
@@ -53,11 +53,11 @@ class Repertoire(Controller):
         return True  # to know when it stands
 
     @property
-    def kp(self) -> Array:  # type: ignore[override]
+    def kp(self) -> Array:
         return self._now.kp
 
     @property
-    def kd(self) -> Array:  # type: ignore[override]
+    def kd(self) -> Array:
         return self._now.kd
 
     @property

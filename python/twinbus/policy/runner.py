@@ -19,8 +19,8 @@ from .. import messages
 from ..bus import Bus, decode, new_id
 from ..channels import TYPES
 from ..home import as_typed
+from .acting import Acting
 from .binding import Binding
-from .controller import Controller
 from .errors import PolicyError
 from .inference import Inference
 from .observation import Measured
@@ -71,7 +71,7 @@ class Runner:
     """bind: makes the controller for a robot; called when the robot is known.  robot: known before; else it comes from the bus, and bind is
     called in a thread (binding.py).  A STATE that comes between is answered by the posture that it found, with the robot's own gains."""
 
-    def __init__(self, bus: Bus, bind: Callable[[Robot], Controller], options: Options, robot: Robot | None = None) -> None:
+    def __init__(self, bus: Bus, bind: Callable[[Robot], Acting], options: Options, robot: Robot | None = None) -> None:
         self.bus, self.options, self.id = bus, options, new_id()
         self.controller = bind(robot) if robot is not None else None
         self.truth: messages.sim_truth_t | None = None
@@ -335,7 +335,7 @@ class Runner:
             self._failing = reason
             self.event(f'policy: {reason}: balanced stop', ALARM)
 
-    def _step(self, controller: Controller, measured: Measured, command: Array) -> Array:
+    def _step(self, controller: Acting, measured: Measured, command: Array) -> Array:
         begin = time.perf_counter()
         targets = controller.step(measured, command)
         self.inference_times.append(time.perf_counter() - begin)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import messages
-from .controller import Controller
+from .acting import Acting
 from .robot import Robot
 
 Array = NDArray[np.float64]
@@ -22,7 +22,7 @@ NEAR = 0.12           # a stiff policy's targets are so near to the posture, or 
 class StopPlan:
     """Of one policy on one robot."""
 
-    def __init__(self, controller: Controller) -> None:
+    def __init__(self, controller: Acting) -> None:
         robot: Robot = controller.robot
         index = controller.observation.index
         self._posture = np.clip(controller.posture(np.zeros(len(robot.bus))), [joint.lower for joint in robot.bus],

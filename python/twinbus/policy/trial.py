@@ -121,7 +121,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
                 look(runner, truth)
         runner.on_truth = see
         def compare(state: messages.robot_state_t) -> None:
-            if runner.controller is not None and runner.actions:
+            if isinstance(runner.controller, Controller) and runner.actions:
                 beside.see(runner.controller, np.array(state.q[:state.joint_count]))
         runner.on_state = compare if spec.follows else None
         words = [str(home.program()), 'up', scene, '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
