@@ -17,6 +17,7 @@
 #include "launcher/check/check_cells.h"
 #include "launcher/check/check_pairs.h"
 #include "launcher/check/subject.h"
+#include "launcher/check/trained_joints.h"
 #include "launcher/check/trial.h"
 #include "launcher/check/walk_trial.h"
 #include "robot/estimation/point_legs.h"
@@ -337,7 +338,9 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
   --mend  of a URDF: inertias that no body has, limits and axes that are none, meshes far from where they are drawn, left and \
       right exchanged are put right in the copy; each change is said
   --propose FOLDER  writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into \
-      FOLDER)"}, words);
+      FOLDER
+  --spec SPEC.yaml  with --propose: rotors (armature) and friction of joints that the robot's files do not say are taken from \
+      the specification of a policy, so that it walks on the robot of its training)"}, words);
   CheckSubject subject = subject_asked_for(arguments.word(0), arguments.has("--mend"));
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
@@ -349,6 +352,10 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
   if (subject.urdf.empty() && !folder.empty())
     throw UsageError("check: --propose wants a URDF or MJCF file; " + arguments.word(0) +
                      " has a robot.yaml already");
+  if (const std::string spec = arguments.text("--spec", ""); !spec.empty()) {
+    if (folder.empty()) throw UsageError("check: --spec is for --propose FOLDER");
+    subject.source.trained = read_trained_joints(spec, subject.repaired);
+  }
   std::optional<Proposal> proposal;
   if (!subject.urdf.empty()) {
     proposal = propose_for(subject);

@@ -40,6 +40,7 @@ std::string urdf_of_mjcf(const std::string& file, ProposalSource& source) {
   source.imu = robot.imu;
   for (const MjcfServo& servo : robot.servos) source.servos.push_back({servo.joint, servo.kp, servo.kd});
   source.friction = robot.friction;
+  source.mujoco = mujoco_yaml(robot.mujoco);
   source.notes = robot.notes;
   return robot.urdf;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "common/math/index.h"
@@ -11,12 +10,14 @@
 #include "robot/mjcf/mjcf_defaults.h"
 #include "robot/mjcf/mjcf_document.h"
 #include "robot/mjcf/mjcf_parts.h"
+#include "robot/mjcf/mjcf_surface.h"
 
 namespace twinbus {
 
 namespace {
 
 constexpr std::size_t kMostOfAKind = 2000;    // bodies, joints, meshes, actuators, excludes, equalities, keyframes
+constexpr int kMostIterations = 10'000;
 constexpr std::size_t kMostParts = 20'000;    // geoms and sites
 
 int qpos_size(MjcfJointKind kind) {
@@ -45,8 +46,8 @@ class Reader {
       if (section.name == "worldbody") read_parts(section, 0, "", Eigen::Isometry3d::Identity());
     }
     check_twice();
+    put_on_ground();
     each("contact", [&](const MjcfElement& element) { read_contact(element); });
-    apply_pairs();
     each("equality", [&](const MjcfElement& element) { read_equality(element); });
     each("actuator", [&](const MjcfElement& element) {
       MjcfActuator actuator;
@@ -197,12 +198,24 @@ class Reader {
       model_.excludes.emplace_back(element.text("body1"), element.text("body2"));
     }
     if (element.name != "pair") return;
-    const std::vector<double> friction = defaults_.resolved(element, "").numbers("friction", 1, 5, 1e3);
-    if (!friction.empty() && !(friction[0] >= 0.0)) element.fail("friction", "must not be negative");
+    const MjcfElement full = defaults_.resolved(element, "");
     const std::string first = element.text("geom1"), second = element.text("geom2");
-    for (const auto& [name, other] : {std::pair{first, second}, std::pair{second, first}}) {
-      std::optional<double>& on_ground = paired_[name];  // may have been set by another pair
-      if (!friction.empty() && is_ground(other)) on_ground = std::max(on_ground.value_or(0.0), friction[0]);
+    read_pair(full, first, is_ground(second));
+    read_pair(full, second, is_ground(first));
+  }
+
+  // It touches whatever contype and conaffinity say; on the ground in its own way, of several pairs by the one with the most friction.
+  void read_pair(const MjcfElement& element, const std::string& name, bool on_ground) {
+    for (MjcfBody& body : model_.bodies) {
+      for (MjcfGeom& geom : body.geoms) {
+        if (name.empty() || geom.name != name) continue;
+        const MjcfSurface said = read_mjcf_pair(element, geom.surface);
+        geom.touches = true;
+        if (!on_ground) continue;
+        if (!paired_.insert(name).second && said.contact.friction[0] < geom.surface.contact.friction[0]) continue;
+        geom.surface = said;
+        if (element.has("friction")) geom.friction = said.contact.friction[0];
+      }
     }
   }
 
@@ -214,15 +227,16 @@ class Reader {
     return std::none_of(std::next(model_.bodies.begin()), model_.bodies.end(), has);
   }
 
-  // A <pair> touches whatever contype and conaffinity say, with its own friction.
-  void apply_pairs() {
-    for (MjcfBody& body : model_.bodies) {
-      for (MjcfGeom& geom : body.geoms) {
-        const auto found = geom.name.empty() ? paired_.end() : paired_.find(geom.name);
-        if (found == paired_.end()) continue;
-        geom.touches = true;
-        if (found->second) geom.friction = *found->second;
-      }
+  // Every geom of a body with the first plane of the world, or what else is there that touches.
+  void put_on_ground() {
+    const MjcfGeom* ground = nullptr;
+    for (const MjcfGeom& geom : model_.bodies[0].geoms) {
+      const bool first = ground == nullptr || (ground->kind != MjcfGeomKind::kPlane && geom.kind == MjcfGeomKind::kPlane);
+      if (first && geom.touches) ground = &geom;
+    }
+    if (ground == nullptr) return;
+    for (auto body = std::next(model_.bodies.begin()); body != model_.bodies.end(); ++body) {
+      for (MjcfGeom& geom : body->geoms) geom.surface = touching(geom.surface, ground->surface);
     }
   }
 
@@ -273,6 +287,12 @@ class Reader {
       const Eigen::Vector3d gravity = option.vector("gravity", {0.0, 0.0, -9.81}, 1e6);
       if (!gravity.isApprox(Eigen::Vector3d(0.0, 0.0, -9.81)))
         model_.notes.push_back("the model's gravity is another than 0 0 -9.81: here it is that");
+      MujocoConfig& of_solver = model_.option;
+      for (const auto& [key, count] : {std::pair{"iterations", &of_solver.iterations}, {"ls_iterations", &of_solver.ls_iterations},
+                                       {"noslip_iterations", &of_solver.noslip_iterations}})
+        *count = std::clamp(option.whole(key, *count), 0, kMostIterations);
+      of_solver.elliptic = option.choice("cone", {"pyramidal", "elliptic"}, of_solver.elliptic ? 1 : 0) == 1;
+      of_solver.impratio = option.number("impratio", of_solver.impratio, 1e-3, 1e6);
       for (const char* key : {"density", "viscosity"}) {
         if (option.number(key, 0.0, 0.0, 1e9) > 0.0)
           model_.notes.push_back(std::string("the fluid around the model (") + key + ") is not modelled");
@@ -284,7 +304,7 @@ class Reader {
   MjcfDefaults defaults_;
   MjcfModel model_;
   std::map<std::string, const MjcfJoint*> joints_;
-  std::map<std::string, std::optional<double>> paired_;  // geoms in a <pair>, and the largest friction of those with the ground
+  std::set<std::string> paired_;  // geoms in a <pair> with the ground
   std::size_t parts_ = 0, joint_count_ = 0;
   int tendons_ = 0;
 };

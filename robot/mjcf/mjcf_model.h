@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/mjcf/mujoco_config.h"
 #include "robot/mjcf/mjcf_compiler.h"
 #include "robot/mjcf/mjcf_element.h"
 
@@ -33,6 +34,13 @@ struct MjcfJoint {
 
 enum class MjcfGeomKind { kPlane, kHeightField, kSphere, kCapsule, kEllipsoid, kCylinder, kBox, kMesh, kSdf };
 
+// What a geom is to another one that it touches.
+struct MjcfSurface {
+  MujocoContact contact;  // its links are empty
+  int priority = 0;
+  double solmix = 1.0;
+};
+
 struct MjcfGeom {
   std::string name;
   MjcfGeomKind kind = MjcfGeomKind::kSphere;
@@ -42,6 +50,7 @@ struct MjcfGeom {
   bool touches = true;  // by contype, conaffinity or a <pair>
   int group = 0;
   double friction = 1.0;  // sliding; of a <pair> with the ground, where there is one
+  MjcfSurface surface;    // once read: with the ground, by a <pair> or as both are put together; its own where there is no ground
   double mass = std::numeric_limits<double>::quiet_NaN();  // NaN: by density
   double density = 1000.0;                                // [kg/m^3]
   MjcfElement element;
@@ -112,6 +121,7 @@ struct MjcfModel {
   std::vector<std::pair<std::string, std::string>> excludes;  // bodies that never touch
   std::string imu_site;                                       // of a gyro or accelerometer
   int qpos_count = 0;
+  MujocoConfig option;  // without contacts
   std::vector<std::string> notes;  // what is not read or not modelled
 
   int find_body(const std::string& body) const;

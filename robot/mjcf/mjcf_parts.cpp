@@ -5,6 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "robot/mjcf/mjcf_surface.h"
+
 namespace twinbus {
 
 namespace {
@@ -157,9 +159,8 @@ MjcfGeom read_mjcf_geom(const MjcfElement& element, const MjcfCompiler& compiler
   }
   geom.touches = element.whole("contype", 1) != 0 || element.whole("conaffinity", 1) != 0;
   geom.group = element.whole("group", 0);
-  const std::vector<double> friction = element.numbers("friction", 1, 3, 1e3);
-  if (!friction.empty()) geom.friction = friction[0];
-  if (!(geom.friction >= 0.0)) element.fail("friction", "must not be negative");
+  geom.surface = read_mjcf_surface(element);
+  geom.friction = geom.surface.contact.friction[0];
   geom.mass = element.number("mass", geom.mass, 0.0, kMostMass);
   geom.density = element.number("density", geom.density, 0.0, 1e9);
   return geom;

@@ -56,6 +56,7 @@ class Converter {
     robot_.notes = model.notes;
     selection_ = select_robot(model, file, robot_.notes);
     robot_.floating = selection_.floating;
+    robot_.mujoco = model.option;
     links_.resize(model.bodies.size());
     anchors_.assign(model.bodies.size(), Eigen::Vector3d::Zero());
     for (const MjcfActuator& actuator : model.actuators) drives_[actuator.joint].push_back(&actuator);
@@ -182,12 +183,20 @@ class Converter {
     inertia.com = in_link * inertia.com;
     if (inertia.mass > 0.0) write_inertial(inertia);
     double friction = -1.0;
+    const MujocoContact* contact = nullptr;  // of the geom with the most friction
     for (const MjcfGeom& geom : body.geoms) {
       append_urdf_shapes(geom, model_, in_link, urdf, robot_.notes);
-      if (geom.touches) friction = std::max(friction, geom.friction);
+      if (!geom.touches) continue;
+      friction = std::max(friction, geom.friction);
+      if (contact == nullptr || geom.surface.contact.friction[0] > contact->friction[0]) contact = &geom.surface.contact;
     }
     urdf += "  </link>\n";
-    if (friction >= 0.0) robot_.friction.emplace_back(links_[at(index)], friction);
+    if (contact == nullptr) return;
+    robot_.friction.emplace_back(links_[at(index)], friction);
+    std::vector<MujocoContact>& all = robot_.mujoco.contacts;
+    auto alike = std::find_if(all.begin(), all.end(), [&](const MujocoContact& each) { return each.same_but_links(*contact); });
+    if (alike == all.end()) alike = all.insert(alike, *contact);
+    alike->links.push_back(links_[at(index)]);
   }
 
   // What the actuators can do at a joint, cut by the joint's own limit.

@@ -25,6 +25,7 @@ struct MjcfRobot {
   std::string imu;                                       // a link of the URDF; empty: not said
   std::vector<MjcfServo> servos;                         // of joints that an actuator holds
   std::vector<std::pair<std::string, double>> friction;  // links and the largest sliding friction of their contact geoms
+  MujocoConfig mujoco;  // solver and contacts with the ground
   std::vector<std::string> notes;                        // what is not modelled, or was chosen
 };
 

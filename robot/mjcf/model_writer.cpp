@@ -1,6 +1,7 @@
 #include "robot/mjcf/model_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "common/text/xml.h"
 #include "geometry/bounds/convex_hull.h"
 #include "geometry/mesh/mesh_file.h"
+#include "robot/mjcf/mujoco_config.h"
 #include "robot/mjcf/urdf_text.h"
 
 namespace twinbus {
@@ -23,6 +25,21 @@ std::string obj_text(const TriangleMesh& mesh) {
   return out;
 }
 
+template <std::size_t N>
+std::string attribute(const char* name, const std::array<double, N>& numbers) {
+  std::string out;
+  for (const double each : numbers) out += (out.empty() ? "" : " ") + exact_number(each);
+  return std::string(name) + "=\"" + out + "\"";
+}
+
+// On that ground.
+std::string mjcf_surface(const MujocoContact& contact, double ground_friction) {
+  std::array<double, 3> friction = contact.friction;
+  friction[0] *= std::sqrt(ground_friction / kMujocoGround);
+  return attribute("friction", friction) + " condim=\"" + std::to_string(contact.condim) + "\" " +
+         attribute("solref", contact.solref) + " " + attribute("solimp", contact.solimp);
+}
+
 constexpr double kSoleHalf = 0.004;  // half thickness of the box that a sole becomes [m]
 constexpr double kLeastMass = 1e-9;  // of a link without mass that cannot be joined with the next [kg]
 
@@ -30,7 +47,8 @@ constexpr double kLeastMass = 1e-9;  // of a link without mass that cannot be jo
 class BodyWriter {
  public:
   BodyWriter(const Model& model, const MjcfContact& contact, const MjcfParts& parts, ExportedMeshes& meshes)
-      : model_(model), contact_(contact), parts_(parts), meshes_(meshes), children_(model.links.size()) {
+      : model_(model), contact_(contact), parts_(parts), meshes_(meshes),
+        mujoco_(mujoco_config_of(model)), children_(model.links.size()) {
     for (int i = 1; i < model.link_count(); ++i) children_[at(model.links[at(i)].parent)].push_back(i);
   }
 
@@ -95,21 +113,23 @@ class BodyWriter {
     }
   }
 
-  std::string touching(const std::string& name, double friction, const std::string& bits) const {
-    return "name=\"" + xml_escaped(name) + "\" class=\"collision\" friction=\"" +
-           exact_number(std::sqrt(friction * contact_.ground_friction)) + " 0.005 0.0001\"" +
-           (bits.empty() ? "" : " " + bits);
+  // said: by robot.yaml, or null.
+  std::string touching(const std::string& name, double friction, const MujocoContact* said, const std::string& bits) const {
+    const std::string usual = "friction=\"" + exact_number(std::sqrt(friction * contact_.ground_friction)) + " 0.005 0.0001\"";
+    const std::string what = said != nullptr ? mjcf_surface(*said, contact_.ground_friction) : usual;
+    return "name=\"" + xml_escaped(name) + "\" class=\"collision\" " + what + (bits.empty() ? "" : " " + bits);
   }
 
   void write_geoms(int link, const std::string& indent, std::string& out) {
     const Link& body = model_.links[at(link)];
     const bool has_sole = link == model_.soles[0].link || link == model_.soles[1].link;
     const std::string& bits = has_sole ? contact_.foot_bits : contact_.robot_bits;
+    const MujocoContact* said = mujoco_.of_link(model_, link);
     int index = 0;
     for (const Shape& shape : body.collision) {
       const std::string name = body.name + "/" + std::to_string(index++);
       geoms_[name] = {link, -1};
-      out += indent + mjcf_geom(shape, touching(name, contact_.link_friction, bits), meshes_) + "\n";
+      out += indent + mjcf_geom(shape, touching(name, contact_.link_friction, said, bits), meshes_) + "\n";
     }
     if (parts_.visual) {
       for (const Shape& shape : body.visual) out += indent + mjcf_geom(shape, "class=\"visual\"", meshes_) + "\n";
@@ -123,7 +143,7 @@ class BodyWriter {
       box.pose = sole.frame * Eigen::Translation3d(0.5 * (sole.front - sole.back), 0.5 * (sole.left - sole.right), kSoleHalf);
       const std::string name = side == 0 ? "left_sole" : "right_sole";
       geoms_[name] = {link, static_cast<int>(side)};
-      out += indent + mjcf_geom(box, touching(name, sole.friction, contact_.robot_bits), meshes_) + "\n";
+      out += indent + mjcf_geom(box, touching(name, sole.friction, said, contact_.robot_bits), meshes_) + "\n";
     }
   }
 
@@ -131,6 +151,7 @@ class BodyWriter {
   const MjcfContact& contact_;
   const MjcfParts& parts_;
   ExportedMeshes& meshes_;
+  MujocoConfig mujoco_;
   std::vector<std::vector<int>> children_;
   std::map<std::string, MjcfText::Geom> geoms_;
 };

@@ -28,7 +28,7 @@ class ExportedMeshes {
 // with the ground's at 0 and each body's put together with it beforehand, contacts with the ground have ours.
 struct MjcfContact {
   double ground_friction = 0.8;
-  double link_friction = 0.6;  // of links that are no soles
+  double link_friction = 0.6;  // of links that are no soles, where robot.yaml says nothing under `mujoco`
   std::string robot_bits;      // contype and conaffinity of its geoms; empty: MuJoCo's own
   std::string foot_bits;       // of shapes of links that have a sole, beside it
 };

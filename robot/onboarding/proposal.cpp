@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 #include "common/text/formatted.h"
 #include "common/text/xml.h"
@@ -88,6 +89,7 @@ class Writer {
       if (link_a != link_b)
         model_.disabled_pairs.push_back({std::min(link_a, link_b), std::max(link_a, link_b)});
     }
+    take_trained();
     posture_ = neutral_posture(model_);
     choose_posture();
     pairs_ = pairs_at_rest(model_, {neutral_posture(model_), posture_});
@@ -131,6 +133,7 @@ class Writer {
     if (!anatomy_.leg_joints.empty())
       out += "\nleg_joints: " + list(names_of(anatomy_.leg_joints)) + "\n";
     near_pairs(out);
+    out += source.mujoco;
     std::string servos;
     for (const int j : model_.bus_joints) {
       if (!is_finger(j)) servo(j, servos);
@@ -198,6 +201,29 @@ class Writer {
   static Eigen::VectorXd to_vector(const NamedPose& pose) {
     return Eigen::Map<const Eigen::VectorXd>(pose.q.data(),
                                              static_cast<Eigen::Index>(pose.q.size()));
+  }
+
+  // What a file of the robot does not say of its gears and the specification of a policy does.
+  void take_trained() {
+    int rotors = 0, rubbing = 0;
+    for (const TrainedJoint& trained : source_.trained) {
+      const int j = model_.find_joint(trained.joint);
+      if (j < 0) continue;
+      Joint& joint = model_.joints[at(j)];
+      const bool turns = !(joint.rotor_inertia > 0.0) && trained.rotor_inertia > 0.0;
+      const bool rubs = !(joint.friction > 0.0) && trained.friction > 0.0;
+      if (turns) joint.rotor_inertia = trained.rotor_inertia;
+      if (rubs) joint.friction = trained.friction;
+      std::string& more = trained_[j];
+      if (turns) more += ", rotor_inertia: " + exact(trained.rotor_inertia);
+      if (rubs) more += ", friction: " + exact(trained.friction);
+      rotors += turns ? 1 : 0;
+      rubbing += rubs ? 1 : 0;
+    }
+    if (rotors + rubbing > 0) {
+      doubts_.push_back(formatted("of the training: the rotors of %d joints and the friction of %d, which the files of the robot do not say",
+                                  rotors, rubbing));
+    }
   }
 
   // half_sitting of the SRDF that was there, if the robot stands in it; else one that is computed.
@@ -365,6 +391,8 @@ class Writer {
       kd = (joint.rotor_inertia > 0.0 ? kLegDamping : kLightDamping) * kp;
     }
     std::string remark;
+    const auto trained = trained_.find(j);
+    const std::string more = trained == trained_.end() ? "" : trained->second;
     for (const KnownServo& known : source_.servos) {
       if (known.joint != joint.name) continue;
       const double known_kd = known.kd > 0.0 ? known.kd : 1.4 * std::sqrt(known.kp * inertia);
@@ -375,7 +403,7 @@ class Writer {
         remark = "  # of the file: kp " + rough(known.kp) + ", kd " + rough(known.kd);
       }
     }
-    out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}" + remark + "\n";
+    out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + more + "}" + remark + "\n";
   }
 
   Model model_;
@@ -387,6 +415,7 @@ class Writer {
   Eigen::VectorXd posture_;
   std::vector<int> fingers_;  // joints behind the hands
   std::vector<RestPair> pairs_;  // left out
+  std::map<int, std::string> trained_;  // of joints: further keys of their servos
   std::size_t disabled_ = 0;
 };
 

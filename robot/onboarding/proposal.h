@@ -24,6 +24,13 @@ struct KnownServo {
   double kp = 0.0, kd = 0.0;  // [N m/rad], [N m s/rad]; a kd of 0 is proposed
 };
 
+// What the specification of a policy says of the robot of its training; taken where the robot's own files say nothing.
+struct TrainedJoint {
+  std::string joint;
+  double rotor_inertia = 0.0;  // [kg m^2]; 0 not said
+  double friction = 0.0;       // Coulomb [N m]; 0 not said
+};
+
 // What is known of the robot besides its model.
 struct ProposalSource {
   std::string urdf_name;                                      // file name beside robot.yaml
@@ -38,6 +45,8 @@ struct ProposalSource {
   std::vector<KnownServo> servos;
   bool servos_apply = true;                               // else they are a remark beside the proposed ones
   std::vector<std::pair<std::string, double>> friction;   // frame and coefficient
+  std::string mujoco;                                     // the map of robot.yaml, of a MuJoCo model
+  std::vector<TrainedJoint> trained;                      // of the specification of a policy
 };
 
 // Whether a robot is proposed with a free base: as the source says, else if it has legs.

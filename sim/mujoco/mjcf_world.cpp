@@ -5,6 +5,7 @@
 
 #include "common/math/index.h"
 #include "common/text/xml.h"
+#include "robot/mjcf/mujoco_config.h"
 #include "robot/mjcf/urdf_text.h"
 
 namespace twinbus {
@@ -86,14 +87,31 @@ std::string unbalanced_links(const Model& model) {
   return names;
 }
 
-std::string still_things(const WorldConfig& config, bool engine, ExportedMeshes& meshes) {
-  const std::string friction = "friction=\"0 0.005 0.0001\"";
+// yielding: what touches them decides, for robot.yaml has contacts of MuJoCo.
+std::string still_things(const WorldConfig& config, bool engine, bool yielding, ExportedMeshes& meshes) {
+  const std::string friction = std::string("friction=\"0 ") + (yielding ? "0 0\" condim=\"1\" solmix=\"0\"" : "0.005 0.0001\"");
   std::string out = "    <geom name=\"ground\" type=\"plane\" size=\"20 20 0.1\" " + friction +
                     (engine ? kGroundBits : "") + "/>\n";
   for (const Shape& each : shapes_of(config.obstacles))
     out += "    " + mjcf_geom(each, friction + (engine ? kFixedBits : ""), meshes) + "\n";
   for (const Shape& each : shapes_of(config.tiles))
     out += "    " + mjcf_geom(each, friction + (engine ? kGroundBits : ""), meshes) + "\n";
+  return out;
+}
+
+// Servos of an export want an implicit integrator, and that one contacts which are solved to the end.  In the engine nothing is left
+// for it to do, and Euler goes on with the acceleration of a solver that was stopped early, as MuJoCo does in a training.
+std::string solver_options(const MujocoConfig& mujoco, bool engine) {
+  const bool early = engine && mujoco.iterations > 0;
+  std::string out = std::string(" integrator=\"") + (early ? "Euler" : "implicitfast") + "\"";
+  const auto count = [&](const char* key, int value) {
+    if (value > 0) out += std::string(" ") + key + "=\"" + std::to_string(value) + "\"";
+  };
+  if (early) count("iterations", mujoco.iterations);
+  if (early) count("ls_iterations", mujoco.ls_iterations);
+  count("noslip_iterations", mujoco.noslip_iterations);
+  if (mujoco.elliptic) out += " cone=\"elliptic\"";
+  if (mujoco.impratio != 1.0) out += " impratio=\"" + exact_number(mujoco.impratio) + "\"";
   return out;
 }
 
@@ -129,10 +147,11 @@ MjcfWorld mjcf_of_world(const std::string& name, const Model& model, const World
   const MjcfContact contact{.ground_friction = config.ground_friction,
                             .robot_bits = !engine ? "" : config.self_contact ? kSelfBits : kRobotBits,
                             .foot_bits = !engine ? "" : config.self_contact ? kSelfFootBits : kFootBits};
+  const MujocoConfig mujoco = mujoco_config_of(model);
   const MjcfParts parts{.visual = !engine, .placeable = engine, .drives = !engine};
   const MjcfText robot = mjcf_of_model(model, start.base, contact, meshes, parts);
   std::string assets;
-  const std::string things = still_things(config, engine, meshes);
+  const std::string things = still_things(config, engine, !mujoco.contacts.empty(), meshes);
   for (const auto& [mesh, shape] : meshes.all())
     assets += "    <mesh name=\"" + xml_escaped(mesh) + "\" file=\"" + xml_escaped(mesh) + ".obj\"/>\n";
   MjcfWorld world;
@@ -143,7 +162,7 @@ MjcfWorld mjcf_of_world(const std::string& name, const Model& model, const World
         "\">\n  <!-- Written by `twinbus export`.  Friction of bodies is put together with the ground's, whose own is "
         "0. -->\n  <compiler angle=\"radian\" meshdir=\"meshes\"" +
         std::string(world.unbalanced.empty() ? "" : " balanceinertia=\"true\"") + "/>\n  <option timestep=\"" +
-        exact_number(config.step) + "\" integrator=\"implicitfast\" gravity=\"0 0 -9.81\"" +
+        exact_number(config.step) + "\"" + solver_options(mujoco, engine) + " gravity=\"0 0 -9.81\"" +
         (engine ? ">\n    <flag autoreset=\"disable\"/>\n  </option>\n" : "/>\n") +
         "  <default>\n    <default class=\"visual\">\n"
         "      <geom contype=\"0\" conaffinity=\"0\" group=\"2\" density=\"0\"/>\n    </default>\n"

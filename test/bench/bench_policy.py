@@ -57,10 +57,11 @@ NOISE = {'encoder': 1e-5, 'velocity': 0.01, 'attitude': 0.002, 'gyro': 0.01}
 class Policy:
     """A policy with its proposed robot."""
 
-    def __init__(self, name, folder, mjcf):
+    def __init__(self, name, folder, mjcf, trained):
         urdf, model, spec, mjcf_file = ROBOTS[name]
         self.name, self.folder, self.model, self.spec_file = name, folder / name, DATA / model, ROOT / 'test/python/policies' / spec
-        status, out, err = harness.cli('check', DATA / (mjcf_file if mjcf else urdf), '--propose', self.folder, timeout=600)
+        status, out, err = harness.cli('check', DATA / (mjcf_file if mjcf else urdf), '--propose', self.folder,
+                                        *(['--spec', self.spec_file] if trained else []), timeout=600)
         assert self.folder.is_dir(), f'{status}: {out[-400:]}{err[-400:]}'
         self.robot = robot.from_folder(str(self.folder))
         self.network = network.Network(self.model)
@@ -196,6 +197,7 @@ def main():
     parser.add_argument('--robots', nargs='+', choices=ROBOTS, default=list(ROBOTS))
     parser.add_argument('--set', action='append', default=[], help='of walks and estimate: a setting of the simulator')
     parser.add_argument('--mjcf', action='store_true')
+    parser.add_argument('--trained', action='store_true', help='rotors and friction of joints that the URDF does not say are of the specification')
     words = parser.parse_args()
     missing = [name for name in words.robots for path in ROBOTS[name][:2] if not (DATA / path).is_file()]
     if missing or not str(DATA):
@@ -207,7 +209,7 @@ def main():
         (folder / 'pushed.yaml').write_text('about: Pushed all round.\n' + PUSHED)
         (folder / 'tiles.yaml').write_text('about: Tiles.\n' + TILES)
         for name in words.robots:
-            policy = Policy(name, folder, words.mjcf)
+            policy = Policy(name, folder, words.mjcf, words.trained)
             if words.what == 'starts':
                 falls += starts(policy, words.count or 30)
             elif words.what == 'switches':

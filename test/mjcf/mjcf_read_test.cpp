@@ -205,6 +205,53 @@ TEST(MjcfRead, APairWithTheGroundHasItsOwnFriction) {
   EXPECT_EQ(friction("<pair geom1='foot' geom2='hand' friction='0.1'/>"), (std::pair{0.9, 0.8}));
 }
 
+TEST(MjcfRead, ContactsWithTheGroundAreThoseThatMuJoCoMakesOfBoth) {
+  const auto contacts = [](const std::string& floor, const std::string& foot, const std::string& pairs = "") {
+    return robot("<worldbody><geom name='floor' type='plane' size='1 1 1' " + floor + "/><body name='a'><joint name='j'/>"
+                 "<geom name='foot' size='0.1' " + foot + "/></body></worldbody><contact>" + pairs + "</contact>").mujoco.contacts;
+  };
+  const auto only = [&](const std::string& floor, const std::string& foot, const std::string& pairs = "") {
+    const std::vector<MujocoContact> all = contacts(floor, foot, pairs);
+    EXPECT_EQ(all.size(), 1u);
+    EXPECT_EQ(all.front().links, std::vector<std::string>{"a"});
+    return all.front();
+  };
+  // The larger friction and condim, the mean of solref.
+  const MujocoContact both = only("friction='0.3' condim='1' solref='0.04 1'", "friction='0.7 0.02' condim='4'");
+  EXPECT_EQ(both.friction, (std::array{0.7, 0.02, 0.0001}));
+  EXPECT_EQ(both.condim, 4);
+  EXPECT_NEAR(both.solref[0], 0.03, 1e-15);
+  // All of the one with priority: what the foot says of its softness does not count.
+  const MujocoContact floor = only("friction='0.6' priority='1'", "friction='1' condim='1' solimp='0.8 0.9 0.023'");
+  EXPECT_EQ(floor.friction[0], 0.6);
+  EXPECT_EQ(floor.condim, 3);
+  EXPECT_EQ(floor.solimp, MujocoContact{}.solimp);
+  EXPECT_EQ(only("solmix='0'", "solimp='0.8 0.9 0.023'").solimp, (std::array{0.8, 0.9, 0.023, 0.5, 2.0}));
+  EXPECT_EQ(only("solref='-500 -20'", "solref='0.02 1'").solref, (std::array{-500.0, -20.0}));
+  // A pair says it for both.
+  const MujocoContact pair =
+      only("friction='0.9' condim='1'", "condim='1'", "<pair geom1='floor' geom2='foot' friction='0.6 0.6 0.1 0.2' condim='6' solref='0.01 2'/>");
+  EXPECT_EQ(pair.friction, (std::array{0.6, 0.1, 0.2}));
+  EXPECT_EQ(pair.condim, 6);
+  EXPECT_EQ(pair.solref, (std::array{0.01, 2.0}));
+  EXPECT_TRUE(contacts("", "contype='0' conaffinity='0'").empty());
+}
+
+TEST(MjcfRead, TheSolverOfTheFileGoesWithTheRobot) {
+  const MjcfRobot made = robot(std::string("<option iterations='1' ls_iterations='5' cone='elliptic' impratio='10'/>") + kArm);
+  EXPECT_EQ(made.mujoco.iterations, 1);
+  EXPECT_EQ(made.mujoco.ls_iterations, 5);
+  EXPECT_TRUE(made.mujoco.elliptic);
+  EXPECT_EQ(made.mujoco.impratio, 10.0);
+  const std::string yaml = mujoco_yaml(made.mujoco);
+  const MujocoConfig again = read_mujoco_config(ConfigNode::parse(yaml, "t.yaml").map("mujoco"));
+  EXPECT_EQ(again.iterations, 1);
+  EXPECT_TRUE(again.elliptic);
+  ASSERT_EQ(again.contacts.size(), made.mujoco.contacts.size());
+  EXPECT_TRUE(again.contacts[0].same_but_links(made.mujoco.contacts[0]));
+  EXPECT_EQ(again.contacts[0].links, (std::vector<std::string>{"upper", "lower"}));
+}
+
 TEST(MjcfRead, ALinearEqualityIsAMimic) {
   const Model model = loaded(robot(
       "<worldbody><body name='a'><joint name='one'/><geom size='0.1'/></body><body name='b'><joint name='two'/>"

@@ -201,6 +201,34 @@ TEST_F(MujocoWorldTest, HrpStandsAndItsSolesCarryItsWeight) {
   EXPECT_GT(world->configuration().base.linear()(2, 2), 0.9999);
 }
 
+// What robot.yaml says of MuJoCo's solver and contacts is what MuJoCo is given, and a robot stands on one iteration of it.
+TEST_F(MujocoWorldTest, SolverAndContactsAreThoseOfRobotYaml) {
+  Model model = test::block();
+  const auto slid = [&](const std::string& yaml, double ground, double speed = 1.0) {
+    model.yaml_text = yaml;
+    WorldConfig config;
+    config.ground_friction = ground;
+    const auto world = make(model, config);
+    Configuration start(model);
+    start.base.translation().z() = 0.0;
+    start.base_velocity.x() = speed;
+    EXPECT_EQ(world->set(start), Status::kOk);
+    for (int i = 0; i < 1000; ++i) EXPECT_EQ(world->step(), Status::kOk);
+    EXPECT_LT(world->com_velocity().norm(), 1e-2);
+    EXPECT_NEAR(world->configuration().base.translation().z(), 0.0, 2e-3);
+    return world->com().x();
+  };
+  model.frames = {{model.links[0].name, 0, Eigen::Isometry3d::Identity()}};
+  const std::string contact = "  contacts: [{links: [" + model.links[0].name + "], friction: [0.2, 0.005, 0.0001]}]\n";
+  const double usual = slid("urdf: x\n", 0.8);
+  const double slippery = slid("mujoco:\n" + contact, 0.8);
+  EXPECT_GT(slippery, 1.5 * usual);
+  EXPECT_LT(slid("mujoco:\n" + contact, 3.2), 0.8 * slippery);  // on a ground that holds better
+  EXPECT_NEAR(slid("mujoco:\n  iterations: 1\n  ls_iterations: 5\n" + contact, 0.8, 0.0), slid("urdf: x\n", 0.8, 0.0), 2e-3);
+  EXPECT_NE(test::error_of([&] { (void)slid("mujoco:\n  contacts: [{links: [nose]}]\n", 0.8); }).find("nose"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { (void)slid("mujoco:\n  iteration: 1\n", 0.8); }).find("iterations"), std::string::npos);
+}
+
 // MuJoCo's contact is as stiff as what it carries is heavy.
 TEST_F(MujocoWorldTest, ALooseBoxComesToRestAsDeepWhateverItsMass) {
   const Model model = test::pendulum(10.0);

@@ -29,7 +29,8 @@ UNAVAILABLE = {'motion:': 'more of a motion than its joints and the orientation 
                'height_scan': 'heights of the ground around it',
                'image': 'a picture of a camera'}
 TERM_KEYS = ('term', 'frame', 'scale', 'clip', 'history', 'size', 'values', 'relative', 'period', 'joints')
-JOINT_KEYS = ('name', 'default', 'scale', 'kp', 'kd', 'offset', 'clip', 'lower', 'upper', 'effort', 'velocity', 'armature')
+JOINT_KEYS = ('name', 'default', 'scale', 'kp', 'kd', 'offset', 'clip', 'lower', 'upper', 'effort', 'velocity', 'armature',
+              'friction')
 
 
 @dataclass
@@ -47,6 +48,7 @@ class Joint:
     effort: float | None = None             # [N m]
     velocity: float | None = None           # [rad/s]
     armature: float | None = None           # [kg m^2]
+    friction: float | None = None           # Coulomb, of the joint [N m]
 
 
 @dataclass
@@ -162,7 +164,7 @@ def _joint(entry: Field) -> Joint:
     return Joint(entry.need('name').word(), entry.need('default').number(-1e3, 1e3), entry.need('scale').number(-1e3, 1e3),
                  entry.need('kp').number(0.0, 1e6), entry.need('kd').number(0.0, 1e5), number('offset'),
                  clip.range() if clip is not None else None, number('lower'), number('upper'), number('effort', 0.0, 1e5),
-                 number('velocity', 0.0, 1e4), number('armature', 0.0, 1e3))
+                 number('velocity', 0.0, 1e4), number('armature', 0.0, 1e3), number('friction', 0.0, 1e4))
 
 
 def _term(entry: Field) -> Term:
@@ -272,7 +274,7 @@ def to_text(spec: Spec) -> str:
     lines.append('joints:  # in the order of the network; target = offset (default) + scale * action; SI units')
     for joint in spec.joints:
         parts = [f'name: {_word(joint.name)}'] + [f'{key}: {_number(getattr(joint, key))}' for key in ('default', 'scale', 'kp', 'kd')]
-        parts += [f'{key}: {_number(getattr(joint, key))}' for key in ('offset', 'lower', 'upper', 'effort', 'velocity', 'armature')
+        parts += [f'{key}: {_number(getattr(joint, key))}' for key in ('offset', 'lower', 'upper', 'effort', 'velocity', 'armature', 'friction')
                   if getattr(joint, key) is not None]
         lines.append('  - {' + ', '.join(parts + ([f'clip: {_list(joint.clip)}'] if joint.clip is not None else [])) + '}')
     lines.append('observations:  # in the order of the network')

@@ -1,0 +1,18 @@
+// What geoms are to each other where they touch, as MuJoCo puts it together of both or a <pair> says it.
+
+#pragma once
+
+#include "robot/mjcf/mjcf_model.h"
+
+namespace twinbus {
+
+// Of a geom, its defaults applied.
+MjcfSurface read_mjcf_surface(const MjcfElement& element);
+
+// That with the higher priority; of equal ones the larger friction and condim, and solref and solimp weighted by solmix.
+MjcfSurface touching(const MjcfSurface& a, const MjcfSurface& b);
+
+// What a <pair>, its defaults applied, says otherwise than `both`.
+MjcfSurface read_mjcf_pair(const MjcfElement& element, const MjcfSurface& both);
+
+}  // namespace twinbus
