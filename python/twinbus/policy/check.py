@@ -120,7 +120,8 @@ def _check_joint(joint: Joint, robot: Robot, found: list[Finding]) -> None:
         if not 1.0 / ARMATURE_APART <= apart <= ARMATURE_APART:
             found.append(Finding('armature', f'{name}: {there.armature:g} kg m^2 on this robot (rotor_inertia), {joint.armature:g} in the training'))
     elif joint.armature:
-        found.append(Finding('armature', f'{name}: none on this robot (rotor_inertia in robot.yaml), {joint.armature:g} kg m^2 in the training', False))
+        found.append(Finding('armature', f'{name}: none on this robot (rotor_inertia in robot.yaml), {joint.armature:g} kg m^2 in the training; '
+                             'check --propose --spec takes them over', False))
 
 
 def _check_gains(joints: list[Joint], robot: Robot, found: list[Finding]) -> None:
