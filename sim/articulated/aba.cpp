@@ -98,14 +98,28 @@ double ArticulatedBody::fastest(double reach) const noexcept {
 
 void PointForces::add(const Eigen::Vector3d& r, const Eigen::Vector3d& f,
                       const Eigen::Matrix3d& weight) noexcept {
-  torque += r.cross(f);
-  force += f;
-  // J(r)' weight J(r) = [ r^ W r^' , r^ W ; .. , W ].
-  Eigen::Matrix3d turned;
-  for (int k = 0; k < 3; ++k) turned.col(k) = r.cross(weight.col(k));
-  for (int k = 0; k < 3; ++k) ww.col(k) += r.cross(turned.row(k));
-  wv += turned;
-  vv += weight;
+  // J(r)' weight J(r) = [ r^ W r^' , r^ W ; .. , W ], of what is symmetric the lower half.  In single numbers: what was
+  // written in ones and is read in twos waits for the memory.
+  const double x = r.x(), y = r.y(), z = r.z();
+  torque.x() += y * f.z() - z * f.y();
+  torque.y() += z * f.x() - x * f.z();
+  torque.z() += x * f.y() - y * f.x();
+  for (int k = 0; k < 3; ++k) force[k] += f[k];
+  double turned[3][3];  // [column][row]
+  for (int k = 0; k < 3; ++k) {
+    const double a = weight(0, k), b = weight(1, k), c = weight(2, k);
+    turned[k][0] = y * c - z * b;
+    turned[k][1] = z * a - x * c;
+    turned[k][2] = x * b - y * a;
+    for (int row = k; row < 3; ++row) vv(row, k) += weight(row, k);
+    for (int row = 0; row < 3; ++row) wv(row, k) += turned[k][row];
+  }
+  ww(0, 0) += y * turned[2][0] - z * turned[1][0];
+  ww(1, 0) += z * turned[0][0] - x * turned[2][0];
+  ww(2, 0) += x * turned[1][0] - y * turned[0][0];
+  ww(1, 1) += z * turned[0][1] - x * turned[2][1];
+  ww(2, 1) += x * turned[1][1] - y * turned[0][1];
+  ww(2, 2) += x * turned[1][2] - y * turned[0][2];
 }
 
 void ArticulatedBody::add_force(int link, const Eigen::Vector3d& r,

@@ -1,6 +1,7 @@
 #include "sim/contact/contact_solve.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -69,15 +70,20 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
     if (link >= 0) systems_[at(system)]->add_forces(link, forces);
     forces = PointForces{};
   };
+  // A light body that is about to land: what is folded in wrongly drowns its mass in rounding.
+  const auto alone = [](const Contact& c) { return c.other_system >= 0 || (c.system > 0 && !(c.depth > 0.0)); };
+  // All first: what has just been written in ones and is read in twos waits for the memory.
   for (Contact& c : contacts) {
-    // A light body that is about to land: what is folded in wrongly drowns its mass in rounding.
-    if (c.other_system >= 0 || (c.system > 0 && !(c.depth > 0.0))) {
+    if (alone(c)) continue;
+    c.v = c.v0;
+    find_force(c, h, true, 0.0);
+  }
+  for (Contact& c : contacts) {
+    if (alone(c)) {
       c.f0.setZero();
       c.g0.setZero();
       continue;
     }
-    c.v = c.v0;
-    find_force(c, h, true, 0.0);
     c.f0 = c.now.force;
     c.g0 = c.now.tangent;
     if (c.now.mode == ContactMode::kOpen) continue;
@@ -145,7 +151,7 @@ void ContactSolve::make_islands(const Contacts& contacts) noexcept {
 }
 
 bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept {
-  double total = 1.0, mismatch = 0.0;
+  double total = 1.0, mismatch = 0.0;  // that squared
   int system = -1, link = -1;  // of the contact before
   Screw a;
   for (int i = 0; i < member_count_; ++i) {
@@ -163,10 +169,13 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
       c.v -= h * at_point(other.acceleration(c.other), c.other_r);
     }
     find_force(c, h, false, 0.0);
-    total += c.now.force.norm();
-    mismatch = std::max(mismatch, (c.now.force - (c.f0 - c.g0 * (c.v - c.v0))).norm());
   }
-  return mismatch <= kStageOne * total;
+  for (int i = 0; i < member_count_; ++i) {
+    const Contact& c = contacts[at(members_[i])];
+    total += c.now.force.norm();
+    mismatch = std::max(mismatch, (c.now.force - (c.f0 - c.g0 * (c.v - c.v0))).squaredNorm());
+  }
+  return std::sqrt(mismatch) <= kStageOne * total;
 }
 
 void ContactSolve::solve_island(Contacts& contacts, double h) noexcept {

@@ -16,6 +16,7 @@ constexpr double kTangentRatio = 40.0;
 constexpr double kTangentMass = 15.0;  // [kg]
 
 constexpr double kHigh = 1.0;  // [m], more than the ground is ever uneven
+constexpr double kSure = 1e-6;  // more than distances are rounded by [m]
 
 constexpr int kSpineProbes = 5;
 constexpr int kRimProbes = 6;
@@ -219,7 +220,10 @@ void GroundContacts::find_corners(const ArticulatedBody& body, double h,
       found.normal = Eigen::Vector3d::UnitZ();
       for (std::size_t i = 0; i < obstacles_.size(); ++i) {
         const Eigen::Vector3d away = obstacles_[i].pose.translation() - point;
-        if (!(away.norm() < obstacle_radius_[i] + 1.0)) continue;
+        const double apart = away.norm();
+        if (!(apart < obstacle_radius_[i] + 1.0)) continue;
+        // The ball around it is farther than what is deepest so far.
+        if (i < solid_ && obstacle_radius_[i] - apart + kSure < found.depth + offset) continue;
         if (patches_ && (i >= solid_ || patches_->stands_on(i, point))) continue;
         const Distance d = i < solid_ ? distance(i + 1, point) : under_tile(obstacles_[i], point);
         if (!(-d.value - offset > found.depth)) continue;
@@ -268,6 +272,7 @@ void GroundContacts::find_patches(const ArticulatedBody& body, double h, std::si
 
 void GroundContacts::find_probes(const ArticulatedBody& body, double h,
                                  std::vector<Contact>& contacts) const noexcept {
+  if (shapes_.empty()) return;
   std::size_t cursor = 0;
   const std::size_t surfaces = obstacles_.size() + 1;
   Found found{.link = -1, .sole = -1, .params = &shell_params_};

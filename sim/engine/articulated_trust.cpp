@@ -38,8 +38,10 @@ void ArticulatedWorld::keep_depths(double h) noexcept {
     if (!(end > 0.25 * kFirstDepth) || c.tie != TieKind::kNone) continue;
     if (loose_.may_come_through(c, end)) trust_[Doubt::kThrough] = true;
     const auto who = pair_of(c);
-    const auto known = std::find_if(deep_.begin(), deep_.end(),
-                                    [&](const DeepPair& pair) { return pair.who == who; });
+    const auto same = [&](const DeepPair& pair) {
+      return pair.who[1] == who[1] && pair.who[3] == who[3] && pair.who[0] == who[0] && pair.who[2] == who[2];
+    };
+    const auto known = !deep_.empty() && same(deep_.back()) ? deep_.end() - 1 : std::find_if(deep_.begin(), deep_.end(), same);
     if (known == deep_.end()) {
       deep_.push_back({who, end});
     } else {

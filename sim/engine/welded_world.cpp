@@ -79,6 +79,10 @@ void WeldedWorld::build(const Eigen::VectorXd& q) {
   }
   world_ = make_world(welded->model, config);
   welded_ = std::move(welded);  // the former one's world has ended
+  moving_.clear();
+  for (int j = 0; j < model_.joint_count(); ++j) {
+    if (welded_->joint[at(j)] >= 0) moving_.push_back({j, welded_->joint[at(j)]});
+  }
   inner_ = Configuration(welded_->model);
   inner_tau_ = Eigen::VectorXd::Zero(welded_->model.joint_count());
 }
@@ -159,11 +163,9 @@ void WeldedWorld::look() noexcept {
   now_.base = inner.base;
   now_.base_velocity = inner.base_velocity;
   now_.base_angular_velocity = inner.base_angular_velocity;
-  for (std::size_t j = 0; j < held_.size(); ++j) {
-    const int from = welded_->joint[j];
-    if (from < 0) continue;
-    now_.q[static_cast<Eigen::Index>(j)] = inner.q[from];
-    now_.qd[static_cast<Eigen::Index>(j)] = inner.qd[from];
+  for (const auto& [to, from] : moving_) {
+    now_.q[to] = inner.q[from];
+    now_.qd[to] = inner.qd[from];
   }
   contacts_ = world_->contacts();
   contacts_.insert(contacts_.end(), standing_.begin(), standing_.end());

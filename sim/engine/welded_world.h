@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -60,6 +61,7 @@ class WeldedWorld final : public ForwardingWorld {
   std::unique_ptr<World> world_;
   Configuration now_, inner_;
   Eigen::VectorXd held_tau_, inner_tau_;
+  std::vector<std::array<int, 2>> moving_;  // joints that do, and which of the inner model they are
   std::vector<ContactPoint> contacts_, standing_;  // as this is seen; of the inner world, of a held base
 };
 
