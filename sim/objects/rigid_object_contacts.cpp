@@ -223,15 +223,21 @@ void LooseContacts::add(Piece piece) {
   pieces_.push_back(std::move(piece));
 }
 
-void LooseContacts::place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept {
-  const ArticulatedBody& body = *systems[at(piece.system)];
-  const LinkNow link = body.link(piece.link);
-  const Eigen::Vector3d middle = link.origin + link.rotation * piece.in_link.translation();
-  piece.rotation = link.rotation * piece.in_link.linear();
-  piece.center = body.origin() + middle;
-  piece.velocity = at_point(link.velocity, middle);
-  piece.turning = angular(link.velocity).norm() * piece.radius;
-  piece.speed = piece.velocity.norm() + piece.turning;
+void LooseContacts::place(std::size_t first, std::size_t end, const std::vector<ArticulatedBody*>& systems) noexcept {
+  for (std::size_t i = first; i < end;) {
+    const int system = pieces_[i].system, number = pieces_[i].link;
+    const ArticulatedBody& body = *systems[at(system)];
+    const LinkNow link = body.link(number);
+    for (; i < end && pieces_[i].link == number && pieces_[i].system == system; ++i) {  // mostly many are of one link
+      Piece& piece = pieces_[i];
+      const Eigen::Vector3d middle = link.origin + link.rotation * piece.in_link.translation();
+      piece.rotation = link.rotation * piece.in_link.linear();
+      piece.center = body.origin() + middle;
+      piece.velocity = at_point(link.velocity, middle);
+      piece.turning = angular(link.velocity).norm() * piece.radius;
+      piece.speed = piece.velocity.norm() + piece.turning;
+    }
+  }
 }
 
 bool LooseContacts::near(const Piece& a, const Piece& b, double h) const noexcept {
@@ -254,16 +260,16 @@ Eigen::AlignedBox3d LooseContacts::box_of(const Outline& robot, const Reach& rea
 
 void LooseContacts::place_all(const std::vector<ArticulatedBody*>& systems) noexcept {
   for (std::size_t i = 0; i < loose_; ++i) {
-    if (!asleep(pieces_[i].system)) place(pieces_[i], systems);
+    if (!asleep(pieces_[i].system)) place(i, i + 1, systems);
   }
   for (Outline& robot : robots_) {
     if (robot.first == robot.end) continue;
     Piece& base = pieces_[robot.first];
     const Eigen::Vector3d center = base.center;
     const Eigen::Matrix3d rotation = base.rotation;
-    place(base, systems);
+    place(robot.first, robot.first + 1, systems);
     if (robot.placed && base.center == center && base.rotation == rotation) continue;
-    for (std::size_t i = robot.first + 1; i < robot.end; ++i) place(pieces_[i], systems);
+    place(robot.first + 1, robot.end, systems);
     robot.placed = robot.fixed;
     if (robot.fixed) robot.bare = box_of(robot, [](const Piece& piece) { return piece.radius; });
   }
@@ -280,7 +286,7 @@ double LooseContacts::extent(int link) const noexcept {
 bool LooseContacts::away_from(const Eigen::AlignedBox3d& box, const std::vector<ArticulatedBody*>& systems, double h) noexcept {
   for (std::size_t i = 0; i < loose_; ++i) {
     const Piece& piece = pieces_[i];
-    place(pieces_[i], systems);
+    place(i, i + 1, systems);
     if (!(box.exteriorDistance(piece.center) > piece.radius + reach_of(piece.speed, h))) return false;
   }
   return true;

@@ -154,7 +154,7 @@ class LooseContacts {
   template <class Reach>
   Eigen::AlignedBox3d box_of(const Outline& robot, const Reach& reach) const noexcept;
   void place_all(const std::vector<ArticulatedBody*>& systems) noexcept;
-  void place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept;
+  void place(std::size_t first, std::size_t end, const std::vector<ArticulatedBody*>& systems) noexcept;  // of pieces_
   bool near(const Piece& a, const Piece& b, double h) const noexcept;
   void meet_ground(const Piece& piece, Search& search) noexcept;
   void meet_cylinder(const Piece& piece, Search& search) noexcept;

@@ -14,7 +14,7 @@ namespace twinbus {
 void LooseContacts::fall_asleep(const std::vector<int>& heap, const std::vector<ArticulatedBody*>& systems,
                                 const std::vector<Contact>& contacts, double h) noexcept {
   for (std::size_t i = 0; i < loose_; ++i) {
-    if (heap[at(pieces_[i].system)] > 0) place(pieces_[i], systems);
+    if (heap[at(pieces_[i].system)] > 0) place(i, i + 1, systems);
   }
   for (std::size_t s = 0; s < heap.size(); ++s) {
     if (heap[s] > 0) heap_[s] = heap[s];
