@@ -91,10 +91,6 @@ class Shortener {
 
 void shorten(LineTest& test, SearchPath& path, int joints) {
   if (path.size() <= 2) return;
-  if (test.between(path.front(), path.back(), joints)) {
-    path = {path.front(), path.back()};
-    return;
-  }
   Shortener shortener(test, path, joints);
   for (int round = 0; round < kRounds; ++round) {
     const bool shorter = shortener.shortcut();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/math/splitmix64.h"
 #include "test/planner/plates.h"
 
 namespace twinbus {
@@ -51,6 +52,59 @@ TEST(CertainPath, APairThatHullsSettleIsSettledByThemInTheSearchToo) {
   EXPECT_FALSE(find_certain(search, check, 32.0F, start, {goal}).certain);
   check.settle_pairs(true);
   EXPECT_TRUE(find_certain(search, check, 32.0F, start, {goal}).certain);
+}
+
+// A ball of 10 mm that slides in a plane among posts, between which looks at eight postures of a line see little.
+TEST(CertainPath, AShortcutThatCannotBeProvedTakesNoSearchAnew) {
+  Model model = test::turning_link();
+  model.links.push_back(model.links[1]);
+  model.links[2].parent = 1;
+  model.joints.push_back(model.joints[0]);
+  model.joints[1].parent = 1;
+  model.joints[1].child = 2;
+  model.joints[0].axis = Eigen::Vector3d::UnitX();
+  model.joints[1].axis = Eigen::Vector3d::UnitY();
+  for (Joint& joint : model.joints) joint.kind = JointKind::kPrismatic;
+  const BlockRobot robot =
+      compile_robot(model, Configuration(model), {0, 1}, {{.link = 2, .balls = {{Eigen::Vector3d::Zero(), 0.01}}, .pieces = {}}}, {}, 0.0);
+  int repaired = 0;
+  for (int number = 1; number <= 40; ++number) {
+    SplitMix64 random(static_cast<std::uint64_t>(number));
+    std::vector<Obstacle> posts(60);
+    for (Obstacle& post : posts) {
+      post.shape = ObstacleShape::kSphere;
+      post.size = Eigen::Vector3d(0.02, 0.0, 0.0);
+      post.pose.translation() = Eigen::Vector3d(random.uniform(-1.4, 1.4), random.uniform(-2.0, 2.0), 0.0);
+    }
+    posts[0].size[0] = 0.3;
+    posts[0].pose.translation().setZero();
+    const BlockScene scene(posts);
+    BlockCheck check(robot, scene);
+    JointSearch search({.lower = robot.lower, .upper = robot.upper}), once = search;
+    SearchPoint start{}, goal{};
+    start[0] = -1.8F;
+    goal[0] = 1.8F;
+    const CertainPath found = find_certain(search, check, 1.0F, start, {goal});
+    ASSERT_TRUE(found.certain) << number;
+    const auto proved = [&](const SearchPath& path) {
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const SearchPoint step{path[i + 1][0] - path[i][0], path[i + 1][1] - path[i][1]};
+        if (!check.line_certain(path[i].data(), step.data())) return false;
+      }
+      return true;
+    };
+    EXPECT_TRUE(proved(found.path)) << number;
+    // As found in the first search, and as shortened by looking alone: the first is proved, the second is not.
+    BlockLineTest quick(check, 1.0F);
+    const SearchPath raw = once.find(quick, start, {goal});
+    SearchPath path = raw;
+    shorten(quick, path, robot.joints);
+    if (!proved(raw) || proved(path)) continue;
+    ++repaired;
+    EXPECT_EQ(found.rounds, once.rounds()) << number;
+    EXPECT_LE(length_of(found.path, robot.joints), length_of(raw, robot.joints)) << number;
+  }
+  EXPECT_GT(repaired, 0);
 }
 
 }  // namespace
