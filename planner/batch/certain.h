@@ -151,7 +151,12 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
         touched |= apart_now < all((ra + rb) * (ra + rb));
       }
     }
-    const Flags asked = (open & ~near) | touched;
+    Flags asked = (open & ~near) | touched;
+    if (!any(asked)) continue;
+    const Flags clear_of_it = clear_lanes(robot, pair, from, step, t, half);
+    open &= ~clear_of_it;
+    touched &= ~clear_of_it;
+    asked &= ~clear_of_it;
     if (!any(asked)) continue;
     Flags far, clear;
     separate_pair(robot, w, pair,

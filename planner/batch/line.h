@@ -30,7 +30,8 @@ inline bool first_block_free(const BlockRobot& robot, const BlockScene& scene, B
     const auto [a, b] = robot.pairs[static_cast<std::size_t>(i)];
     const Lanes sum = w.reach[a] + w.reach[b];
     if (!any(apart(w.around[a], w.around[b]) < sum * sum)) continue;
-    if (clear_on_line(robot, i, from, step)) continue;
+    // Where lines leave the cells that are clear, hulls would be in the way of what is clear at the ends.
+    if (!w.notes && clear_on_line(robot, i, from, step)) continue;
     if (!pair_free(robot, w, i)) return false;
     if (!goes_on) continue;
     w.near_pair[w.near_pair_count++] = i;

@@ -94,21 +94,41 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
   return true;
 }
 
-// Are the joints between the two of a pair in clear cells all along the line, ends included?
+// Are the joints between the two of a pair in clear cells from t = begin to end of the line, ends included?
+inline bool clear_between(const ClearCells& cells, const float* from, const float* step, float begin, float end) {
+  int first[2] = {}, last[2] = {1, 1};
+  for (int k = 0; k < cells.joints; ++k) {
+    const float start = from[cells.joint[k]] - cells.low[k], way = step[cells.joint[k]];
+    const float a = (start + begin * way) * cells.per_unit[k], b = (start + end * way) * cells.per_unit[k];
+    const float low = a < b ? a : b, high = a < b ? b : a;
+    if (!(low >= 0.0F && high < static_cast<float>(cells.count[k]))) return false;
+    first[k] = static_cast<int>(low);
+    last[k] = static_cast<int>(high) + 1;
+  }
+  const auto before = [&](int i, int k) { return cells.open[static_cast<std::size_t>(i * (cells.count[1] + 1) + k)]; };
+  return before(last[0], last[1]) - before(first[0], last[1]) - before(last[0], first[1]) + before(first[0], first[1]) == 0;
+}
+
+// On all of the line?  Boxes around eighths of it hold less beside it than one around it all.
 inline bool clear_on_line(const BlockRobot& robot, int pair, const float* from, const float* step) {
   if (robot.clear.empty()) return false;
   const ClearCells& cells = robot.clear[static_cast<std::size_t>(pair)];
   if (cells.joints == 0) return false;
-  int first[2] = {}, end[2] = {1, 1};
-  for (int k = 0; k < cells.joints; ++k) {
-    const float a = (from[cells.joint[k]] - cells.low[k]) * cells.per_unit[k], b = a + step[cells.joint[k]] * cells.per_unit[k];
-    const float low = a < b ? a : b, high = a < b ? b : a;
-    if (!(low >= 0.0F && high < static_cast<float>(cells.count[k]))) return false;
-    first[k] = static_cast<int>(low);
-    end[k] = static_cast<int>(high) + 1;
+  if (clear_between(cells, from, step, 0.0F, 1.0F)) return true;
+  for (int i = 0; i < 8; ++i) {
+    if (!clear_between(cells, from, step, 0.125F * static_cast<float>(i), 0.125F * static_cast<float>(i + 1))) return false;
   }
-  const auto before = [&](int i, int k) { return cells.open[static_cast<std::size_t>(i * (cells.count[1] + 1) + k)]; };
-  return before(end[0], end[1]) - before(first[0], end[1]) - before(end[0], first[1]) + before(first[0], first[1]) == 0;
+  return true;
+}
+
+// In which lanes, from t - half to t + half?
+inline Flags clear_lanes(const BlockRobot& robot, int pair, const float* from, const float* step, const Lanes& t, float half) {
+  Flags clear = {};
+  if (robot.clear.empty()) return clear;
+  const ClearCells& cells = robot.clear[static_cast<std::size_t>(pair)];
+  if (cells.joints == 0) return clear;
+  for (int i = 0; i < 8; ++i) clear[i] = clear_between(cells, from, step, t[i] - half, t[i] + half) ? -1 : 0;
+  return clear;
 }
 
 inline bool pair_free(const BlockRobot& robot, BlockWork& w, int pair) {
@@ -119,7 +139,8 @@ inline bool pair_free(const BlockRobot& robot, BlockWork& w, int pair) {
   const float sum = ga.around.radius + gb.around.radius;
   if (!any(apart(w.around[a], w.around[b]) < all(sum * sum))) return true;
   place_balls(robot, w, a);
-  Flags touch = {};
+  Flags touch = {}, open = ~Flags{};
+  bool asked = w.notes;  // of cells
   for (int i = ga.first; i < ga.first + ga.count; ++i) {
     const float reach = balls[i].radius + gb.around.radius;
     if (!any(apart(w.ball[i], w.around[b]) < all(reach * reach))) continue;
@@ -128,6 +149,10 @@ inline bool pair_free(const BlockRobot& robot, BlockWork& w, int pair) {
       const float both = balls[i].radius + balls[j].radius;
       touch |= apart(w.ball[i], w.ball[j]) < all(both * both);
     }
+    if (!any(touch)) continue;
+    if (!asked) open = ~clear_lanes(robot, pair, w.from, w.step, w.t, 0.0F);
+    asked = true;
+    touch &= open;
     if (!(w.pairs_by_hulls && w.settles_pair[pair]) && !w.notes && any(touch)) return false;
   }
   if (!any(touch)) return true;

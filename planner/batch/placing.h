@@ -15,6 +15,9 @@ TWINBUS_INLINE void put_point(const Lanes* rotation, const Lanes* origin, const 
 inline void place_bodies(const BlockRobot& robot, BlockWork& w, const float* from,
                          const float* step, const Lanes& t, int last) {
   const BlockBody* bodies = robot.bodies.data();
+  w.from = from;
+  w.step = step;
+  w.t = t;
   for (int i = 1; i <= last; ++i) {
     const BlockBody& b = bodies[i];
     const Lanes q = (all(from[b.joint]) + t * all(step[b.joint])) * all(b.scale) + all(b.shift);

@@ -15,6 +15,8 @@ typedef float Lanes __attribute__((vector_size(32), aligned(32)));
 typedef std::int32_t Flags __attribute__((vector_size(32), aligned(32)));  // -1 or 0 per lane
 
 struct BlockWork {
+  const float *from, *step;  // the line, and where on it the lanes are
+  Lanes t;
   Lanes rotation[kBlockBodies][9], origin[kBlockBodies][3];
   Lanes around[kBlockGroups][3];  // centres of the balls around groups
   Lanes reach[kBlockGroups];      // their radii, and how far they move between two postures

@@ -4,7 +4,8 @@
 // normal n.  A corner x of a hull moves along n by the sum of (z_j x (x - o_j)) . n dq_j to first order, z_j and o_j the axes, and
 // by no more than half of (sum h_j)(sum h_j r_j) beside that, h_j the half widths and r_j how far the hull reaches from the axes.
 // What is linear is least at a corner of the box: with all these looked at, two hulls that slide past each other at a few
-// millimetres need few boxes.
+// millimetres need few boxes.  A cell that hulls leave open is asked of their pieces in the same way: of every two that the box
+// could bring together.
 
 #include <algorithm>
 #include <array>
@@ -41,8 +42,7 @@ Isometry3d pose_in_parent(const BlockBody& body, double q) {
   return pose;
 }
 
-std::vector<Vector3d> hull_of(const BlockRobot& robot, const BlockGroup& group) {
-  const BlockPiece& hull = robot.pieces[at(group.first_piece)];
+std::vector<Vector3d> corners_of(const BlockRobot& robot, const BlockPiece& hull) {
   const float* x = robot.corners.data() + hull.first;
   std::vector<Vector3d> corners;
   for (int k = 0; k < hull.count; ++k)
@@ -50,12 +50,20 @@ std::vector<Vector3d> hull_of(const BlockRobot& robot, const BlockGroup& group) 
   return corners;
 }
 
-// A hull and the bodies that carry it from the last one common to both, the outermost first.
+struct Part {
+  std::vector<Vector3d> corners;
+  GjkShape shape;
+  Vector3d middle;  // of a ball around it, in the body
+  double radius;
+};
+
+// The hull of a group, its pieces, and the bodies that carry it from the last one common to both, the outermost first.
 struct Side {
   const BlockGroup* group;
   std::vector<int> bodies;
-  std::vector<Vector3d> corners;
-  GjkShape shape;
+  Part hull;
+  std::vector<Part> pieces;       // the hull alone where there are none
+  std::vector<Vector3d> middles;  // of the pieces, in the common body
   Isometry3d pose = Isometry3d::Identity();
   std::vector<Vector3d> axes, origins;  // of the bodies, in the common one
 };
@@ -96,8 +104,9 @@ class PairProof {
       cells.per_unit[k] = static_cast<float>(cells.count[k] / range);
     }
     for (Side& side : sides_) {
-      side.corners = hull_of(robot_, *side.group);
-      side.shape = gjk_hull(side.corners);
+      const BlockPiece* pieces = robot_.pieces.data() + side.group->first_piece;
+      side.hull = part_of(pieces[0]);
+      for (int k = side.group->piece_count > 1 ? 1 : 0; k < side.group->piece_count; ++k) side.pieces.push_back(part_of(pieces[k]));
     }
     const int rows = cells.count[0] + 1, columns = cells.count[1] + 1;
     cells.open.assign(at(rows * columns), 1);
@@ -111,14 +120,15 @@ class PairProof {
         box.middle[k] = static_cast<double>(cells.low[k]) + 0.5 * cell * (box.first[k] + box.end[k]);
         box.half[k] = 0.5 * cell * (box.end[k] - box.first[k]) + kOverlap;
       }
-      if (is_clear(box)) {
+      const std::size_t cut = box.end[1] - box.first[1] > box.end[0] - box.first[0] ? 1 : 0;
+      const bool one_cell = box.end[cut] - box.first[cut] < 2;
+      if (hulls_clear(box) || (one_cell && pieces_clear(box))) {
         for (int i = box.first[0]; i < box.end[0]; ++i) {
           for (int k = box.first[1]; k < box.end[1]; ++k) cells.open[at((i + 1) * columns + k + 1)] = 0, ++clear;
         }
         continue;
       }
-      const std::size_t cut = box.end[1] - box.first[1] > box.end[0] - box.first[0] ? 1 : 0;
-      if (box.end[cut] - box.first[cut] < 2) continue;
+      if (one_cell) continue;
       Box upper = box;
       box.end[cut] = upper.first[cut] = (box.first[cut] + box.end[cut]) / 2;
       open.push_back(box);
@@ -146,6 +156,14 @@ class PairProof {
     return values[at(static_cast<int>(std::find(joints_.begin(), joints_.end(), joint) - joints_.begin()))];
   }
 
+  Part part_of(const BlockPiece& piece) const {
+    Part part{.corners = corners_of(robot_, piece), .shape = {}, .middle = Vector3d(static_cast<double>(piece.around.x), static_cast<double>(piece.around.y),
+                                   static_cast<double>(piece.around.z)),
+              .radius = static_cast<double>(piece.around.radius)};
+    part.shape = gjk_hull(part.corners);
+    return part;
+  }
+
   void go_to(Side& side, const Box& box) {
     side.pose = Isometry3d::Identity();
     side.axes.assign(side.bodies.size(), {});
@@ -159,7 +177,7 @@ class PairProof {
   }
 
   // The farthest that the hull reaches along n at this corner of the box, to first order.
-  double extent(const Side& side, const Vector3d& n, const Box& box, unsigned corner) const {
+  double extent(const Side& side, const Part& part, const Vector3d& n, const Box& box, unsigned corner) const {
     Vector3d d = n;
     double offset = 0.0;
     for (std::size_t i = 0; i < side.bodies.size(); ++i) {
@@ -176,12 +194,14 @@ class PairProof {
     }
     const Vector3d in_body = side.pose.linear().transpose() * d;
     double most = -1e30;
-    for (const Vector3d& x : side.corners) most = std::max(most, in_body.dot(x));
+    for (const Vector3d& x : part.corners) most = std::max(most, in_body.dot(x));
     return most + d.dot(side.pose.translation()) + offset;
   }
 
-  bool is_clear(const Box& box) {
-    double bend = 0.0;
+  // Goes to the middle of the box.
+  bool hulls_clear(const Box& box) {
+    bend_ = 0.0;
+    swing_ = 0.0;
     for (Side& side : sides_) {
       go_to(side, box);
       double turns = 0.0, swing = 0.0;
@@ -190,14 +210,41 @@ class PairProof {
         turns += of(box.half, body.joint) * std::abs(static_cast<double>(body.scale));
         swing += of(box.half, body.joint) * static_cast<double>(side.group->travel[body.joint]);
       }
-      bend += 0.5 * turns * swing;
+      bend_ += 0.5 * turns * swing;
+      swing_ += swing;
     }
+    return are_clear(sides_[0].hull, sides_[1].hull, box);
+  }
+
+  // At the middle already.
+  bool pieces_clear(const Box& box) {
+    Side &a = sides_[0], &b = sides_[1];
+    if (a.pieces.size() == 1 && b.pieces.size() == 1) return false;
+    // What was in the way of the last cell is in the way of its neighbour.
+    if (!are_clear(a.pieces[blocking_[0]], b.pieces[blocking_[1]], box)) return false;
+    for (Side& side : sides_) {
+      side.middles.clear();
+      for (const Part& piece : side.pieces) side.middles.push_back(side.pose * piece.middle);
+    }
+    for (std::size_t i = 0; i < a.pieces.size(); ++i) {
+      for (std::size_t k = 0; k < b.pieces.size(); ++k) {
+        const double reach = a.pieces[i].radius + b.pieces[k].radius + swing_ + kClose;
+        if ((a.middles[i] - b.middles[k]).squaredNorm() > reach * reach || are_clear(a.pieces[i], b.pieces[k], box)) continue;
+        blocking_ = {i, k};
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool are_clear(const Part& a, const Part& b, const Box& box) {
     const double kept = 2.0 * static_cast<double>(robot_.grow) + kClose;
-    const GjkResult found = gjk_distance(sides_[0].shape, sides_[0].pose, sides_[1].shape, sides_[1].pose, 10.0);
-    if (!(found.distance > bend + kept)) return false;
+    const GjkResult found = gjk_distance(a.shape, sides_[0].pose, b.shape, sides_[1].pose, swing_ + kept);
+    if (found.below > swing_ + kept) return true;
+    if (!(found.distance > bend_ + kept)) return false;
     for (unsigned corner = 0; corner < 1U << joints_.size(); ++corner) {
-      const double gap = -extent(sides_[1], -found.normal, box, corner) - extent(sides_[0], found.normal, box, corner);
-      if (!(gap > bend + kept)) return false;
+      const double gap = -extent(sides_[1], b, -found.normal, box, corner) - extent(sides_[0], a, found.normal, box, corner);
+      if (!(gap > bend_ + kept)) return false;
     }
     return true;
   }
@@ -205,6 +252,8 @@ class PairProof {
   const BlockRobot& robot_;
   std::array<Side, 2> sides_;
   std::vector<int> joints_;
+  double bend_ = 0.0, swing_ = 0.0;          // how far the two swing together from the middle of a box, of it what is not linear [m]
+  std::array<std::size_t, 2> blocking_{};    // of the pieces
 };
 
 }  // namespace

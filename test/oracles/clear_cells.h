@@ -6,7 +6,8 @@
 
 namespace twinbus {
 
-// Finds the clear cells of pairs, and drops those that are clear all over.  Tens of milliseconds a pair: after sort_pairs.
+// Finds the clear cells of pairs, and drops those that are clear all over.  Tens of milliseconds a pair, seconds where hulls touch
+// and thousands of pieces are asked: after sort_pairs.
 void find_clear_cells(BlockRobot& robot);
 
 }  // namespace twinbus

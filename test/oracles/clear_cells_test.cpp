@@ -80,6 +80,72 @@ TEST(ClearCells, PiecesSettleAPairWhoseHullsTouch) {
   }
 }
 
+TEST(ClearCells, PiecesClearCellsInWhichHullsTouch) {
+  const Corners upper = corners_of_box({0.3, 0.0, 0.08}, {0.1, 0.1, 0.01});
+  // Below the post, and as high as it but behind: the hull of both plates holds the post wherever the upper one is above it.
+  const Corners below = corners_of_box({0.3, 0.0, -0.08}, {0.1, 0.1, 0.01}), behind = corners_of_box({0.3, -0.3, 0.0}, {0.1, 0.1, 0.01});
+  const auto with = [&](const Corners& second) {
+    Corners hull = upper;
+    hull.insert(hull.end(), second.begin(), second.end());
+    return past_a_post({hull, upper, second});
+  };
+  BlockRobot apart = with(below);
+  find_clear_cells(apart);
+  EXPECT_TRUE(apart.pairs.empty());
+  BlockRobot robot = with(behind), plain = robot;
+  find_clear_cells(robot);
+  ASSERT_EQ(robot.clear.size(), 1U);
+  ASSERT_EQ(robot.clear[0].joints, 1);
+  const BlockScene nothing;
+  BlockCheck check(robot, nothing), without(plain, nothing), hulls(plain, nothing);
+  for (BlockCheck* each : {&check, &without, &hulls}) each->settle_pairs(true);
+  without.settle_by_pieces(true);
+  int gained = 0, touching = 0;
+  for (float q = -1.9F; q < 1.9F; q += 0.01F) {
+    EXPECT_LE(check.point_free(&q), without.point_free(&q)) << q;
+    EXPECT_GE(check.point_free(&q), hulls.point_free(&q)) << q;
+    gained += check.point_free(&q) && !hulls.point_free(&q) ? 1 : 0;
+    touching += without.point_free(&q) ? 0 : 1;
+    for (const float step : {0.02F, 0.3F, -0.7F}) {
+      EXPECT_LE(check.line_free(&q, &step, 4), without.line_free(&q, &step, 4)) << q << " " << step;
+      if (!check.line_certain(&q, &step)) continue;
+      for (int i = 0; i <= 100; ++i) {
+        const float on = q + 0.01F * static_cast<float>(i) * step;
+        EXPECT_TRUE(without.point_free(&on)) << q << " " << step << " " << i;
+      }
+    }
+  }
+  EXPECT_GT(gained, 20);
+  EXPECT_GT(touching, 20);
+}
+
+// At the ends pieces are asked for, though cells are clear there: a line that leaves these cells begins between hulls that touch.
+TEST(ClearCells, WhatTouchesAtTheEndsIsSettledByPiecesBesideCells) {
+  const Corners upper = corners_of_box({0.3, 0.0, 0.08}, {0.1, 0.1, 0.01}), behind = corners_of_box({0.3, -0.3, 0.0}, {0.1, 0.1, 0.01});
+  Corners hull = upper;
+  hull.insert(hull.end(), behind.begin(), behind.end());
+  BlockRobot robot = past_a_post({hull, upper, behind});
+  find_clear_cells(robot);
+  const BlockScene nothing;
+  BlockCheck check(robot, nothing);
+  check.settle_pairs(true);
+  check.settle_by_pieces(true);
+  // Up to where the plate behind is as near to the post as a cell is wide.
+  const float from = 0.0F;
+  float to = 0.0F;
+  check.settle_touching({&from});
+  for (float q = 0.0F; q < 1.0F && check.line_free(&from, &q, 8); q += 0.005F) to = q;
+  BlockRobot plain = robot;
+  plain.clear.clear();
+  BlockCheck without(plain, nothing);
+  without.settle_pairs(true);
+  without.settle_by_pieces(true);
+  float farthest = 0.0F;
+  for (float q = 0.0F; q < 1.0F && without.line_free(&from, &q, 8); q += 0.005F) farthest = q;
+  EXPECT_GT(to, 0.2F);
+  EXPECT_EQ(to, farthest);
+}
+
 TEST(ClearCells, HullsSettleWhatTouchesAtTheEndsAlone) {
   const BlockRobot robot = past_a_post({corners_of_box({0.25, 0.0, 0.0}, {0.15, 0.01, 0.01})}, 0.25);
   const BlockScene nothing;
