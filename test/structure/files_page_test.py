@@ -23,7 +23,7 @@ Search this page for a word of what you want to change; `doc/architecture.md` sa
 `test/structure/files_page_test.py --write` from the first lines of the files; unit tests lie in `test/` under the name of what they test.
 """
 KINDS = (".h", ".cpp", ".py", ".js", ".lcm", ".sh", ".cmake")
-MOST = 330  # characters of a row
+MOST = 400  # characters of a row
 
 
 def listed(name):
@@ -36,14 +36,11 @@ def listed(name):
 
 
 def marked(text, mark):
-    """The first paragraph of comments that begin with mark, before anything else but lines of directives."""
+    """The comment of lines that begin with mark, before anything else but directives."""
     lines = []
     for line in text.splitlines():
         if line.startswith(mark) and not line.startswith("#!"):
-            words = line[len(mark):].strip()
-            if not words and lines:
-                break
-            lines.append(words)
+            lines.append(line[len(mark):].strip())
         elif lines:
             break
         elif line.strip() and not line.startswith(("#!", "package ", "set -", "#include", "#pragma")):
@@ -55,7 +52,7 @@ def about(file):
     """What stands at the top of a file, or ""."""
     text = file.read_text(encoding="utf-8")
     if file.suffix == ".py":
-        text = (ast.get_docstring(ast.parse(text)) or "").split("\n\n")[0]
+        text = ast.get_docstring(ast.parse(text)) or ""
     else:
         text = marked(text, "//" if file.suffix in (".h", ".cpp", ".js", ".lcm") else "#")
     text = re.sub(r"\s*\{\w+\}$", "", " ".join(text.split()))
