@@ -228,13 +228,17 @@ void LooseContacts::place(std::size_t first, std::size_t end, const std::vector<
     const int system = pieces_[i].system, number = pieces_[i].link;
     const ArticulatedBody& body = *systems[at(system)];
     const LinkNow link = body.link(number);
+    const Eigen::Vector3d v = linear(link.velocity), w = angular(link.velocity);
+    const double spin = w.norm();
     for (; i < end && pieces_[i].link == number && pieces_[i].system == system; ++i) {  // mostly many are of one link
       Piece& piece = pieces_[i];
       const Eigen::Vector3d middle = link.origin + link.rotation * piece.in_link.translation();
       piece.rotation = link.rotation * piece.in_link.linear();
       piece.center = body.origin() + middle;
-      piece.velocity = at_point(link.velocity, middle);
-      piece.turning = angular(link.velocity).norm() * piece.radius;
+      piece.velocity.x() = v.x() + (w.y() * middle.z() - w.z() * middle.y());
+      piece.velocity.y() = v.y() + (w.z() * middle.x() - w.x() * middle.z());
+      piece.velocity.z() = v.z() + (w.x() * middle.y() - w.y() * middle.x());
+      piece.turning = spin * piece.radius;
       piece.speed = piece.velocity.norm() + piece.turning;
     }
   }
