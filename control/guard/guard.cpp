@@ -74,7 +74,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
 void Guard::Impl::predict(const RobotState& state, const JointCommand* command) noexcept {
   if (command != nullptr) {
     track.follow(state, *command, report.hold_mask & ~servos.soft());
-    servos.follow(state, *command, report.hold_mask, *now_kinematics, now);
+    servos.follow(state, *command, report.hold_mask, *now_kinematics, now, kept(), track.on_hold());
   }
   const int count = std::min({model->bus_count(), kMaxJoints, static_cast<int>(state.joint_count)});
   for (int k = 0; k < count; ++k) {

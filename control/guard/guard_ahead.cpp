@@ -226,10 +226,8 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
 // is what the report will say: who holds that until the next tick may go on holding it to rest.  Those
 // that are still held besides are let go with it, or stay where they are: both may come.
 void Guard::Impl::prove_mask() noexcept {
-  std::int64_t kept = 0;
-  for (int k = 0; k < kMaxJoints; ++k) kept |= keep[at(k)] > 1 ? bit(k) : 0;
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::int64_t before = mask, held = mask | kept, stay = held | on_hold();
+    const std::int64_t before = mask, held = mask | kept(), stay = held | on_hold();
     bool near = false;
     if (mask != 0) least_share = 0.0;
     if (held != 0) {

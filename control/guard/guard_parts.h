@@ -72,6 +72,11 @@ struct Guard::Impl {
 
   const Course& if_held(int k) const noexcept { return servos.is_soft(at(k)) ? servos.if_held(at(k)) : track.if_held(at(k)); }
   std::int64_t on_hold() const noexcept { return track.on_hold() | servos.on_hold(); }
+  std::int64_t kept() const noexcept {  // of earlier masks, in the next
+    std::int64_t held = 0;
+    for (int k = 0; k < kMaxJoints; ++k) held |= keep[at(k)] > 1 ? bit(k) : 0;
+    return held;
+  }
   double margin_of(int link_a, int link_b) const noexcept { return config.margin * margin_shares.of(link_a, link_b); }  // [m]
   void forget() noexcept;
   void set_obstacles(const std::vector<Obstacle>& given);

@@ -209,6 +209,7 @@ void ServoPredictor::gather(const RobotState& state, const JointCommand& command
 
 // One implicit step: the torque of the end of the step, or the limit where that of its beginning is beyond it.  With what is
 // added to the diagonal, A, the change of speed dv follows from (H + A) dv = h (tau - bias) - A v.
+TWINBUS_AVX2_CLONES
 void ServoPredictor::step(double h) noexcept {
   bool same = has_factor_;
   for (int n = 0; n < moving_; ++n) {
@@ -228,16 +229,16 @@ void ServoPredictor::step(double h) noexcept {
     const Lanes now = asked - (h * m.kp + m.kd) * m.v, most = lanes(s.effort > 0.0 ? s.effort : 1e300);
     const Flags limited = (now > most) | (now < -most);
     const Lanes added = h * s.damping + (limited ? zero : h * m.kd + h * h * m.kp);
-    same = same && added[0] == added_[i][0] && added[1] == added_[i][1];
-    added_[i] = added;
-    change_[i] = h * ((limited ? (now < 0.0 ? -most : most) : asked) - bias_[i]) - added * m.v;
+    same = same && !any(added != added_[i].x);
+    added_[i].x = added;
+    change_[i].x = h * ((limited ? (now < 0.0 ? -most : most) : asked) - bias_[i]) - added * m.v;
   }
-  if (!same) inertia_.factor(added_.data(), factor_.data());
+  if (!same) inertia_.factor(&added_[0].x, &factor_[0].x);
   has_factor_ = true;
-  inertia_.solve(factor_.data(), change_.data());
+  inertia_.solve(&factor_[0].x, &change_[0].x);
   for (int n = 0; n < moving_; ++n) {
     Motion& m = motion_[at(n)];
-    const Lanes v = m.v + change_[at(n)], q = m.q + h * v;
+    const Lanes v = m.v + change_[at(n)].x, q = m.q + h * v;
     m.q = clamped(q, lanes(m.lower), lanes(m.upper));
     m.v = m.q == q ? v : Lanes{};  // at a stop
   }
@@ -269,6 +270,7 @@ void ServoPredictor::brake_those(const Masks& masks) noexcept {
 }
 
 // A mask a lane, to courses_ from `first` on: what is held of these stays so, of others the brake comes a tick sooner.
+TWINBUS_AVX2_CLONES
 void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
   for (int n = 0; n < moving_; ++n) {
     const auto k = at(of_bus_[at(n)]);
@@ -292,7 +294,9 @@ void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
     if (tick == delay_ticks_) brake_those(masks);
     for (int part = 0; part < kPartsOfTick; ++part) step(period_ / kPartsOfTick);
   }
-  brake_those({~std::int64_t{0}, ~std::int64_t{0}});
+  Masks all;
+  all.fill(~std::int64_t{0});
+  brake_those(all);
   for (int part = 0; part < 2 && lag_ > 0.0; ++part) step(0.5 * lag_);
   for (int n = 0; n < moving_; ++n) {
     Motion& m = motion_[at(n)];
@@ -301,7 +305,7 @@ void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
   }
   has_factor_ = false;
   Flags moves = ~Flags{};  // a lane that rests does so whatever the other one does
-  for (int part = 0; part < kMostBrakeSteps && (moves[0] | moves[1]) != 0; ++part) {
+  for (int part = 0; part < kMostBrakeSteps && any(moves); ++part) {
     step(kBrakeStep);
     Flags still{};
     for (int n = 0; n < moving_; ++n) {
@@ -322,33 +326,32 @@ void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
   }
 }
 
-// What was looked at before is not again: nothing held, all of them, and the last two.
+// What was looked at before is not again: nothing held, all of them, what was kept, and the last masks.
 void ServoPredictor::look_masked(std::int64_t mask, std::int64_t next) noexcept {
-  const Masks asked{mask & all_moving_, next & all_moving_};
-  if (asked[0] == 0 || asked[0] == all_moving_) {
-    shown_ = asked[0] == 0 ? kObeyed : kHeld;
-    return;
-  }
-  auto known = std::find(masked_of_.begin(), masked_of_.end(), asked[0]);
-  if (!has_masked_ || known == masked_of_.end()) {
-    run(asked, kMasked);
-    masked_of_ = asked;
-    has_masked_ = true;
-    known = masked_of_.begin();
-  }
-  shown_ = kMasked + static_cast<std::size_t>(known - masked_of_.begin());
+  const std::int64_t asked = mask & all_moving_, after = next & all_moving_;
+  const auto end = masked_of_.begin() + static_cast<std::ptrdiff_t>(known_), known = std::find(masked_of_.begin(), end, asked);
+  shown_ = static_cast<std::size_t>(known - masked_of_.begin());
+  if (known != end) return;
+  const Masks masks{asked, after, after, after};
+  run(masks, kMasked);
+  std::copy(masks.begin(), masks.end(), masked_of_.begin() + kMasked);
+  known_ = masked_of_.size();
+  shown_ = kMasked;
 }
 
-void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept {
+void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration,
+                          std::int64_t kept, std::int64_t others) noexcept {
   for (int k = 0; k < count_; ++k) {
     const Servo& s = servos_[at(k)];
     if (!is_soft(at(k)) || !s.leg) continue;
     const double speed = static_cast<double>(state.qd[at(k)]);
     for (PerJoint<Course>& courses : courses_) courses[at(k)] = {speed * delay_, speed, s.brake};
   }
-  has_masked_ = false;
   all_moving_ = 0;
   for (int n = 0; n < moving_; ++n) all_moving_ |= bit(of_bus_[at(n)]);
+  const Masks masks{0, all_moving_, kept & all_moving_, (kept | on_hold() | others) & all_moving_};
+  std::copy(masks.begin(), masks.end(), masked_of_.begin());
+  known_ = masks.size();
   if (moving_ == 0) return;
   q_ = state.q;
   for (int k = 0; k < count_; ++k) v_[at(k)] = static_cast<double>(state.qd[at(k)]);
@@ -356,11 +359,12 @@ void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics,
   dynamics_.solve(kinematics, configuration, no_acceleration_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), nothing_,
                   torque_);
   for (int n = 0; n < moving_; ++n) bias_[at(n)] = torque_[joints_[at(n)]];
-  run({0, all_moving_}, kObeyed);
+  run(masks, kObeyed);
 }
 
 void ServoPredictor::follow(const RobotState& state, const JointCommand& command, std::int64_t mask,
-                            const Kinematics& kinematics, const Configuration& configuration) noexcept {
+                            const Kinematics& kinematics, const Configuration& configuration, std::int64_t kept,
+                            std::int64_t others) noexcept {
   if (state.stop_kind > StopKind::kBalanced) return reset();  // the source holds the robot, and begins anew from there
   hear(state, command);
   for (std::size_t i = masks_.size(); i-- > 1;) masks_[i] = masks_[i - 1];
@@ -369,7 +373,7 @@ void ServoPredictor::follow(const RobotState& state, const JointCommand& command
   move_set_points(state, command);
   gather(state, command);
   if (soft_ == 0) return;
-  look(state, kinematics, configuration);
+  look(state, kinematics, configuration, kept, others);
 }
 
 }  // namespace twinbus

@@ -7,7 +7,7 @@
 //     H qdd + bias = clamp(kp (q_ref - q) + kd (qd_ref - qd) + tau, +-effort)
 //
 // the set-point as the gate lets it move, implicit in q and qd over steps of a tick, until a brake comes.  The brake of the
-// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Two masks are foretold at once, a lane each:
+// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Four masks are foretold at once, a lane each:
 // the steps wait for one another, not for the arithmetic.  Soft is what is too weak to follow, and what
 // had its set-point far away within the last moments.  Where one joint is soft all but the legs are foretold so, since they
 // move one another.  Legs bear on the ground, which is not in the equation: soft ones go on as they
@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "control/guard/set_point_predictor.h"
+#include "common/simd/vec4.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/dynamics/joint_inertia.h"
 
@@ -32,9 +33,10 @@ class ServoPredictor {
 
   void reset() noexcept;
   // One tick; says which joints are soft, and of these where they go.  mask: bit per joint that the last look held.
-  // kinematics: of this configuration, of which the position of the base is not used.
+  // kinematics: of this configuration, of which the position of the base is not used.  kept: of earlier masks, which look_masked
+  // will most likely be asked for, alone and with others, and those of other joints that are still on hold.
   void follow(const RobotState& state, const JointCommand& command, std::int64_t mask, const Kinematics& kinematics,
-              const Configuration& configuration) noexcept;
+              const Configuration& configuration, std::int64_t kept = 0, std::int64_t others = 0) noexcept;
 
   std::int64_t soft() const noexcept { return soft_; }  // bit per joint of the bus
   double set_point(std::size_t k) const noexcept { return servos_[k].q; }  // as the gate has it, of any joint [rad or m]
@@ -65,9 +67,13 @@ class ServoPredictor {
     double from_q = 0.0, from_v = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
     double strays = 0.0;  // its set-point was far away, and counts so for as long [s]
   };
-  static constexpr int kLanes = 2;  // masks that are foretold at once
-  typedef double Lanes __attribute__((vector_size(16)));
-  typedef std::int64_t Flags __attribute__((vector_size(16)));  // of lanes: 0 or -1
+  static constexpr int kLanes = 4;  // masks that are foretold at once
+  // The alignment is said, as in vec4.h; a template forgets it, of the struct it does not.
+  typedef double Lanes __attribute__((vector_size(32), aligned(32)));
+  typedef std::int64_t Flags __attribute__((vector_size(32), aligned(32)));  // of lanes: 0 or -1
+  struct Entry {
+    Lanes x;
+  };
   using Masks = std::array<std::int64_t, kLanes>;
   struct Motion {  // of a joint, from where it is measured
     Flags braked{}, anew{};  // anew: the brake begins where the joint is, not at its set-point
@@ -77,17 +83,19 @@ class ServoPredictor {
     Lanes first{}, speed{};              // when the brake has come
     Lanes least{}, most{};               // since then
   };
-  static Lanes clamped(Lanes x, Lanes low, Lanes high) noexcept {
-    x = x < low ? low : x;
-    return high < x ? high : x;
+  TWINBUS_INLINE static Lanes clamped(const Lanes& x, const Lanes& low, const Lanes& high) noexcept {
+    const Lanes least = x < low ? low : x;
+    return high < least ? high : least;
   }
-  static Lanes lanes(double x) noexcept { return Lanes{} + x; }
+  TWINBUS_INLINE static Lanes lanes(double x) noexcept { return Lanes{} + x; }
+  TWINBUS_INLINE static bool any(const Flags& flags) noexcept { return (flags[0] | flags[1] | flags[2] | flags[3]) != 0; }
   void hear(const RobotState& state, const JointCommand& command) noexcept;
   void hold(const RobotState& state, const JointCommand& command) noexcept;
   static bool brakes_anew(const Servo& servo, double off) noexcept;
   void move_set_points(const RobotState& state, const JointCommand& command) noexcept;
   void gather(const RobotState& state, const JointCommand& command) noexcept;
-  void look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept;
+  void look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration, std::int64_t kept,
+            std::int64_t others) noexcept;
   void run(const Masks& masks, std::size_t first) noexcept;
   void step(double h) noexcept;
   static void set_gains(Motion& motion, const Servo& servo) noexcept;
@@ -106,18 +114,18 @@ class ServoPredictor {
   std::array<int, kMaxJoints> of_bus_{}, joints_{};
   PerJoint<Motion> motion_{};
   PerJoint<double> bias_{};
-  PerJoint<Lanes> change_{}, added_{};
-  std::vector<Lanes> factor_;  // [JointInertia::kFactor]
+  PerJoint<Entry> change_{}, added_{};
+  std::vector<Entry> factor_;  // [JointInertia::kFactor]
   bool has_factor_ = false;
   JointInertia inertia_;
   InverseDynamics dynamics_;
   Eigen::VectorXd no_acceleration_, torque_;
   const std::vector<ExternalWrench> nothing_;
   PerJoint<double> q_{}, v_{};  // measured
-  static constexpr std::size_t kObeyed = 0, kHeld = 1, kMasked = 2;
-  std::array<PerJoint<Course>, 2 + kLanes> courses_{};  // obeyed, held, and with the last two masks
-  Masks masked_of_{};                                   // joints that move, of those masks
-  bool has_masked_ = false;
+  static constexpr std::size_t kObeyed = 0, kHeld = 1, kMasked = kLanes;  // after the first two come those of `kept`
+  std::array<PerJoint<Course>, 2 * kLanes> courses_{};
+  std::array<std::int64_t, 2 * kLanes> masked_of_{};  // joints that move, of those masks
+  std::size_t known_ = 0;                             // of these
   std::size_t shown_ = kObeyed;
   std::int64_t all_moving_ = 0;  // bit per joint of the bus
 };

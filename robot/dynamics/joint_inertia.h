@@ -30,16 +30,17 @@ class JointInertia {
   // l: D, then what is left of the diagonal of L, row by row [kFactor].
   static constexpr int kFactor = kMaxJoints * (kMaxJoints + 1) / 2;
   template <class Number>
-  void factor(const Number* added, Number* l) const noexcept {
+  TWINBUS_INLINE void factor(const Number* added, Number* l) const noexcept {
     for (int i = 0; i < count_; ++i) l[i] = h_[where(i, i)] + added[i];
     Number* const rows = l + kMaxJoints;
     for (int n = 0; n < entries_; ++n) rows[n] = Number{} + left_[static_cast<std::size_t>(n)];
     for (int k = count_ - 1; k >= 0; --k) {
       // What is above a joint above comes after it, in its row as in this one.
       const Row row = row_of(k);
+      const Number part = 1.0 / l[k];
       for (int p = row.first; p < row.end; ++p) {
         const int i = column(p);
-        const Number own = rows[p], share = own / l[k];
+        const Number own = rows[p], share = own * part;
         l[i] -= share * own;
         Number* const above = rows + row_of(i).first;
         for (int q = p + 1; q < row.end; ++q) above[q - p - 1] -= share * rows[q];
@@ -49,7 +50,7 @@ class JointInertia {
   }
   // x: right side in, solution with that factor out [size].
   template <class Number>
-  void solve(const Number* l, Number* x) const noexcept {
+  TWINBUS_INLINE void solve(const Number* l, Number* x) const noexcept {
     const Number* const rows = l + kMaxJoints;
     for (int i = count_ - 1; i >= 0; --i) {
       const Number own = x[i];
