@@ -111,7 +111,9 @@ GjkShape gjk_hull(const std::vector<Vector3d>& points) {
     shape.half = shape.half.cwiseMax(p.cwiseAbs());
   }
   if (n > kFewPoints && n <= kManyPoints) shape.cells = support_cells(points);
-  if (shape.cells.row > kMostInARow) shape.cells = {};  // nearly all of them in one direction
+  for (std::size_t cell = 0; cell < kSupportCells && !shape.cells.empty(); ++cell) {
+    if (shape.cells.size(cell) > kMostInARow) shape.cells = {};  // nearly all of them in one direction
+  }
   return shape;
 }
 

@@ -106,9 +106,9 @@ TWINBUS_INLINE const double* farthest(const double* points, std::size_t n, const
 // The point of a shape farthest along d, without the radius of a sphere.
 TWINBUS_INLINE Vec4 support(const GjkShape& s, const Vec4& d) noexcept {
   if (s.kind == ShapeKind::kMesh) {
-    const std::size_t n = s.cells.row > 0 ? s.cells.row : s.points.size() / 3;
-    const double* from = s.cells.row > 0 ? s.cells.points(cell_of(d)) : s.points.data();
-    const double* p = farthest(from, n, d);
+    const bool all = s.cells.empty();
+    const std::size_t cell = all ? 0 : cell_of(d), n = all ? s.points.size() / 3 : s.cells.size(cell);
+    const double* p = farthest(all ? s.points.data() : s.cells.points(cell), n, d);
     return Vec4{p[0], p[n], p[2 * n], 0.0};
   }
   if (s.kind == ShapeKind::kBox)

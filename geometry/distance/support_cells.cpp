@@ -79,7 +79,6 @@ Points points_of(const std::array<Vector3d, 4>& edges, const Points& points) {
 
 SupportCells support_cells(const Points& points) {
   std::array<Points, kSupportCells> of_cell;
-  SupportCells cells;
   for (int q = 0; q < kQuadrants; ++q) {
     const Points quadrant = points_of(edges_of(q, {}, {}), points);
     for (int half = 0; half < 4; ++half) {
@@ -87,18 +86,19 @@ SupportCells support_cells(const Points& points) {
       Points& few = of_cell[at(q + kQuadrants * half)];
       few = points_of(edges_of(q, (half & 1) != 0 ? large : small, (half & 2) != 0 ? large : small),
                       quadrant);
-      cells.row = std::max(cells.row, (few.size() + 7) / 8 * 8);
     }
   }
-  cells.numbers.reserve(at(3 * kSupportCells) * cells.row / 8);
-  for (const Points& few : of_cell) {
+  SupportCells cells;
+  for (int cell = 0; cell < kSupportCells; ++cell) {
+    const Points& few = of_cell[at(cell)];
     for (int d = 0; d < 3; ++d) {
-      for (std::size_t k = 0; k < cells.row; k += 8) {
+      for (std::size_t k = 0; k < few.size(); k += 8) {
         SupportCells::Eight& eight = cells.numbers.emplace_back();
         for (std::size_t i = 0; i < 8; ++i)
           eight.number[i] = few[std::min(k + i, few.size() - 1)][d];
       }
     }
+    cells.begin[at(cell) + 1] = static_cast<std::uint32_t>(cells.numbers.size());
   }
   return cells;
 }

@@ -10,6 +10,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace twinbus {
@@ -22,13 +24,15 @@ struct SupportCells {
   struct alignas(64) Eight {  // a line of the cache
     double number[8];
   };
-  std::vector<Eight>
-      numbers;          // of every cell: x of all, y of all, z of all [kSupportCells x 3 x row, m]
-  std::size_t row = 0;  // points of a cell, a multiple of eight
+  std::vector<Eight> numbers;  // of every cell: x of all, y of all, z of all [m]
+  // Where a cell begins there, and behind them where the last ends: most cells have few points, and who asks for one after
+  // another finds them in the cache.
+  std::array<std::uint32_t, kSupportCells + 1> begin{};
 
-  [[nodiscard]] const double* points(std::size_t cell) const noexcept {
-    return numbers[cell * 3 * row / 8].number;
-  }
+  [[nodiscard]] bool empty() const noexcept { return numbers.empty(); }
+  // How many a cell has, a multiple of eight: the last again and again.
+  [[nodiscard]] std::size_t size(std::size_t cell) const noexcept { return (begin[cell + 1] - begin[cell]) / 3 * 8; }
+  [[nodiscard]] const double* points(std::size_t cell) const noexcept { return numbers[begin[cell]].number; }
 };
 
 SupportCells support_cells(const std::vector<Eigen::Vector3d>& points);

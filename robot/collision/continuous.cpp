@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 #include "common/math/index.h"
 #include "common/simd/instruction_set.h"
@@ -29,6 +30,9 @@ struct SweptPart {
   bool turned = true;             // against the link
   const float* corner = nullptr;  // x of all, y of all, z of all
   int corners = 0;
+  // Which of them can be the farthest along the directions of a cell (support_cells.h): where the row of each begins, and ends,
+  // counted from here; then the rows, of a multiple of four.  Null: not known.
+  const std::uint16_t* cell = nullptr;
   float inside[3] = {}, inside_radius = 0.0F;  // a ball inside of it, as far as rounding can say
   float beyond_middle = 0.0F;  // no surface is farther from a point outside than its middle and this [m]
 };
@@ -64,6 +68,7 @@ struct SweptTables {
 #define TWINBUS_WIDE 0
 namespace baseline_swept {
 #include "common/simd/float8.h"
+#include "robot/collision/continuous_extent.h"
 #include "robot/collision/continuous_lanes.h"
 #include "robot/collision/continuous_open.h"
 }  // namespace baseline_swept
@@ -73,6 +78,7 @@ namespace baseline_swept {
 #include "common/simd/begin_avx2.h"
 namespace avx2_swept {
 #include "common/simd/float8.h"
+#include "robot/collision/continuous_extent.h"
 #include "robot/collision/continuous_lanes.h"
 #include "robot/collision/continuous_open.h"
 }  // namespace avx2_swept
@@ -81,6 +87,7 @@ namespace avx2_swept {
 #include "common/simd/begin_avx512.h"
 namespace avx512_swept {
 #include "common/simd/float8.h"
+#include "robot/collision/continuous_extent.h"
 #include "robot/collision/continuous_lanes.h"
 #include "robot/collision/continuous_open.h"
 }  // namespace avx512_swept
@@ -136,6 +143,33 @@ void spread(const Eigen::Isometry3d& pose, float* to) noexcept {
         static_cast<float>(k < 9 ? pose.linear()(k % 3, k / 3) : pose.translation()[k - 9]));
 }
 
+// As SweptPart::cell.
+std::vector<std::uint16_t> corners_of_cells(const GjkShape& hull) {
+  if (hull.cells.empty()) return {};
+  const std::size_t n = hull.points.size() / 3;
+  const auto point = [&](std::size_t k) { return std::array{hull.points[k], hull.points[n + k], hull.points[2 * n + k]}; };
+  std::vector<std::uint16_t> order(n), result(at(kSupportCells) + 1);
+  std::iota(order.begin(), order.end(), std::uint16_t{0});
+  std::sort(order.begin(), order.end(), [&](std::uint16_t a, std::uint16_t b) { return point(a) < point(b); });
+  for (int cell = 0; cell < kSupportCells; ++cell) {
+    result[at(cell)] = static_cast<std::uint16_t>(result.size());
+    const double* p = hull.cells.points(at(cell));
+    const std::size_t row = hull.cells.size(at(cell));
+    std::size_t last = row;  // the last one is there again and again
+    const auto same = [&](std::size_t i, std::size_t k) {
+      return p[i] == p[k] && p[row + i] == p[row + k] && p[2 * row + i] == p[2 * row + k];
+    };
+    while (last > 1 && same(last - 2, row - 1)) --last;
+    for (std::size_t i = 0; i < (last + 3) / 4 * 4; ++i) {
+      const std::array corner{p[i], p[row + i], p[2 * row + i]};
+      result.push_back(*std::lower_bound(order.begin(), order.end(), corner,
+                                         [&](std::uint16_t a, const std::array<double, 3>& c) { return point(a) < c; }));
+    }
+  }
+  result[at(kSupportCells)] = static_cast<std::uint16_t>(result.size());
+  return result;
+}
+
 }  // namespace
 
 struct SweptShapes::Impl {
@@ -146,6 +180,7 @@ struct SweptShapes::Impl {
   std::vector<SweptPair> pairs;
   std::vector<int> pair_of;
   std::vector<float> reach, radius, length, numbers, corners;
+  std::vector<std::vector<std::uint16_t>> cells;  // of the parts; empty: of no hull, or of one that has none
   std::vector<unsigned char> stale, fresh, asked;
   std::vector<std::array<double, kPlaces>> angles;  // that sines are of
   SweptTables tables;
@@ -251,6 +286,7 @@ void SweptShapes::set(const std::vector<Part>& parts) {
   i.still.clear();
   i.pairs.clear();
   i.corners.clear();
+  i.cells.assign(parts.size(), {});
   for (const Part& from : parts) {
     SweptPart part;
     part.link = from.link;
@@ -263,6 +299,7 @@ void SweptShapes::set(const std::vector<Part>& parts) {
     part.turned = from.local.linear() != Eigen::Matrix3d::Identity();
     take(Eigen::Vector3d(from.local.translation()), part.origin);
     if (from.hull != nullptr) {
+      i.cells[i.parts.size()] = corners_of_cells(*from.hull);
       const std::size_t n = from.hull->points.size() / 3;
       part.corners = static_cast<int>((n + 7) / 8 * 8);  // the last one again and again
       for (std::size_t k = 0; k < 3 * at(part.corners); ++k) {
@@ -282,6 +319,8 @@ void SweptShapes::set(const std::vector<Part>& parts) {
   const float* corner = i.corners.data();
   for (SweptPart& part : i.parts) {
     part.corner = corner;
+    const auto& cells = i.cells[at(static_cast<int>(&part - i.parts.data()))];
+    part.cell = cells.empty() ? nullptr : cells.data();
     corner += 3 * part.corners;
   }
   i.pair_of.assign(parts.size() * parts.size(), -1);
@@ -391,6 +430,14 @@ SweptShapes::AtPlaces SweptShapes::gaps(int pair, const Eigen::Vector3d& directi
   impl_->direction(p, direction, place, n);
   AtPlaces result;
   TWINBUS_SWEPT(pair_gaps(impl_->tables, p, n, result.data()));
+  return result;
+}
+
+SweptShapes::AtPlaces SweptShapes::gaps(int pair) const noexcept {
+  const InstructionSet set = impl_->set;
+  const SweptPair& p = impl_->pairs[at(pair)];
+  AtPlaces result;
+  TWINBUS_SWEPT(pair_gaps(impl_->tables, p, p.n, result.data()));
   return result;
 }
 

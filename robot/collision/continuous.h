@@ -81,6 +81,7 @@ class SweptShapes {
   Eigen::Vector3d remembered(int pair, int place) const noexcept;  // world; zero: nothing is
   void remember(int pair, const Eigen::Vector3d& direction, int place) noexcept;
   AtPlaces gaps(int pair, const Eigen::Vector3d& direction, int place) const noexcept;
+  AtPlaces gaps(int pair) const noexcept;  // along the direction that is remembered
   AtPlaces left_out(int pair) const noexcept;
   AtPlaces most_apart(int pair) const noexcept;  // the shapes are no farther apart at the places
   AtPlaces travel(int pair) const noexcept;

@@ -1,7 +1,6 @@
-// The kernels of SweptShapes, a lane for every place; included after float8.h.
+// The kernels of SweptShapes, a lane for every place; included after continuous_extent.h.
 
 constexpr float kSweptSlack = 5e-6F;  // what single precision may lose of a gap [m]
-constexpr unsigned kAllLanes = 0xFF;
 TWINBUS_INLINE void store8(float* to, const F8& v) noexcept { __builtin_memcpy(to, &v, sizeof v); }
 
 struct Pose8 {
@@ -140,43 +139,12 @@ TWINBUS_INLINE Along8 along8(const SweptTables& t, const SweptPair& pair, const 
   return along;
 }
 
-// What stands for a hull: the ball inside of it, which reaches nowhere farther; the box around it; its corners.
-enum class HullBy { kInside, kBox, kCorners };
-
-// How far a shape reaches along a direction from its middle; sign: of the direction, which only hulls ask for.
-TWINBUS_INLINE F8 extent8(const SweptPart& part, const F8 (&in)[3], float sign, HullBy hulls) noexcept {
-  if (part.kind == SweptPart::kBall) return all(part.half[0]);
-  if (part.kind == SweptPart::kCylinder)
-    return root(in[0] * in[0] + in[1] * in[1]) * part.half[0] + size(in[2]) * part.half[1];
-  if (hulls == HullBy::kBox || part.corners == 0)
-    return size(in[0]) * part.half[0] + size(in[1]) * part.half[1] + size(in[2]) * part.half[2];
-  if (hulls == HullBy::kInside) {
-    const float* c = part.inside;
-    return (in[0] * c[0] + in[1] * c[1] + in[2] * c[2]) * sign + part.inside_radius;
-  }
-  // Corners are eight or more; four maxima at a time, as each waits for the one before.
-  const F8 d[3] = {in[0] * sign, in[1] * sign, in[2] * sign};
-  F8 far[4] = {all(-1e9F), all(-1e9F), all(-1e9F), all(-1e9F)};
-  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
-  for (int k = 0; k < part.corners; k += 4) {
-    for (int i = 0; i < 4; ++i) far[i] = most(far[i], d[0] * x[k + i] + d[1] * y[k + i] + d[2] * z[k + i]);
-  }
-  return most(most(far[0], far[1]), most(far[2], far[3]));
-}
 TWINBUS_INLINE F8 gaps8(const SweptTables& t, const SweptPair& pair, const Along8& along, HullBy hulls) noexcept {
   return along.apart - extent8(t.part[pair.a], along.in_a, 1.0F, hulls) -
          extent8(t.part[pair.b], along.in_b, -1.0F, hulls);
 }
 
-// The same by corners at one place, to the bit.
-TWINBUS_INLINE float extent_at(const SweptPart& part, const F8 (&in)[3], float sign, int place) noexcept {
-  if (part.corners == 0) return extent8(part, in, sign, HullBy::kBox)[place];
-  F8 far = all(-1e9F);
-  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
-  for (int k = 0; k < part.corners; k += 8)
-    far = most(far, (in[0][place] * load8(x + k) + in[1][place] * load8(y + k) + in[2][place] * load8(z + k)) * sign);
-  return largest(far);
-}
+// The same by corners at one place.
 TWINBUS_INLINE float gap_at(const SweptTables& t, const SweptPair& pair, const Along8& along, int place) noexcept {
   return along.apart[place] - extent_at(t.part[pair.a], along.in_a, 1.0F, place) -
          extent_at(t.part[pair.b], along.in_b, -1.0F, place);

@@ -25,16 +25,16 @@ TWINBUS_INLINE bool outlasts(const SweptTables& t, const SweptPair& pair, F8 gap
   return bits(between >= left.from_base) == kAllLanes || bits(between >= less_left_out(t, pair, left)) == kAllLanes;
 }
 
-// Balls inside of hulls first: what they rule out no corner can mend; then boxes; then corners where boxes leave least.
+// Boxes first, which part most; then balls inside of hulls: what they rule out no corner can mend; then corners where boxes
+// leave least.
 TWINBUS_INLINE bool parts_all_along(const SweptTables& t, const SweptPair& pair, const float* n0,
                                     float margin, float clear, LeftOut8& left) noexcept {
   const Along8 along = along8(t, pair, n0);
   const bool hulls = t.part[pair.a].corners + t.part[pair.b].corners > 0;
   const auto parts = [&](F8 gap) { return outlasts(t, pair, gap, margin, clear, left); };
-  if (hulls && !parts(gaps8(t, pair, along, HullBy::kInside))) return false;
   const F8 box = gaps8(t, pair, along, HullBy::kBox);
   if (parts(box)) return true;
-  if (!hulls) return false;
+  if (!hulls || !parts(gaps8(t, pair, along, HullBy::kInside))) return false;
   const F8 needed = less_left_out(t, pair, left) + clear, room = least(box - margin, with_next(box) - needed);
   int place = 0;
   for (int k = 1; k < 8; ++k) place = room[k] < room[place] ? k : place;

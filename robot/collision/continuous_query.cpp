@@ -193,7 +193,7 @@ void Collision::begin(OnWay& pair) noexcept {
   pair.open = kAllWays;
   pair.asked = pair.far = pair.hopeless = 0;
   pair.left_out = swept.left_out(pair.pair);
-  pair.least = swept.gaps(pair.pair, swept.remembered(pair.pair, 0), 0);
+  pair.least = swept.gaps(pair.pair);
   pair.best = number(*std::min_element(pair.least.begin(), pair.least.end()));
   impl_->note(pair, pair.least);
   if (pair.open != 0) impl_->note_hopeless(pair);
