@@ -4,6 +4,8 @@
 #include <pty.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -14,7 +16,10 @@ namespace {
 
 class Terminal : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_EQ(openpty(&master_, &slave_, nullptr, nullptr, nullptr), 0); }
+  void SetUp() override {
+    if (openpty(&master_, &slave_, nullptr, nullptr, nullptr) != 0)  // qemu-user has none
+      GTEST_SKIP() << "no pseudo terminal here: " << std::strerror(errno);
+  }
   void TearDown() override {
     if (master_ >= 0) close(master_);
     close(slave_);
