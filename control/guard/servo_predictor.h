@@ -19,8 +19,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "control/guard/set_point_predictor.h"
 #include "common/simd/vec4.h"
+#include "control/guard/set_point_predictor.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/dynamics/joint_inertia.h"
 

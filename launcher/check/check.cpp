@@ -26,6 +26,7 @@
 #include "robot/description/load.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
+#include "robot/mjcf/mujoco_config.h"
 #include "robot/onboarding/model_lint.h"
 #include "robot/onboarding/proposal.h"
 
@@ -199,6 +200,8 @@ void print(const Model& model, const Extent& extent) {
   std::printf("poses:");
   for (const NamedPose& pose : model.poses) std::printf(" %s", pose.name.c_str());
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
+  if (const std::size_t kinds = mujoco_config_of(model).contacts.size(); kinds > 0)
+    std::printf("engine mujoco: contacts of %zu kinds as robot.yaml says\n", kinds);
   for (const NearPair& pair : near_pairs_of(model)) {
     std::printf("near by design: guards keep %.1f mm of %s and %s\n", 1e3 * pair.margin, model.links[at(pair.link_a)].name.c_str(),
                 model.links[at(pair.link_b)].name.c_str());

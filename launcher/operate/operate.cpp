@@ -47,10 +47,10 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
 
 namespace {
 
-// What the controller has said since this was last asked; "" when nothing.
+// What the controller has answered since this was last asked; "" when nothing.  A policy's notes of its own begin with its name.
 std::string said_by_controller(BusLink& bus) {
   for (const std::string& event : bus.seen().take_events()) {
-    if (event.starts_with("controller: ")) return event.substr(event.find(' ') + 1);
+    if (event.starts_with("controller: ") && !event.starts_with("controller: policy: ")) return event.substr(event.find(' ') + 1);
   }
   return "";
 }
@@ -143,6 +143,7 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
 
 int ask_and_report(const Arguments& arguments, ModeRequest& request, const char* asked) {
   BusLink bus = open_bus(arguments);
+  (void)bus.seen().take_events();  // of before
   ask_controller(bus, request);
   bus.listen(0.1);
   return report_mode(bus, request, asked);

@@ -32,9 +32,9 @@ void add_this_program(FingerprintMaker& maker) {
 Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfig& config,
                    const AccuracyRequest& request) {
   FingerprintMaker maker;
-  maker.add("ladder 6");
+  maker.add("ladder 7");
   add_this_program(maker);
-  maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash);
+  maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash).add(model.yaml_text);
   maker.add(scene.fidelity).add(static_cast<std::int64_t>(scene.held.size())).add(static_cast<std::int64_t>(scene.rigid.size()));
   for (const auto* names : {&scene.held, &scene.rigid}) {
     for (const std::string& name : *names) maker.add(name);

@@ -16,7 +16,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr std::size_t kMostOfAKind = 2000;    // bodies, joints, meshes, actuators, excludes, equalities, keyframes
+constexpr std::size_t kMostOfAKind = 2000;    // bodies, joints, meshes, actuators, excludes, pairs, equalities, keyframes
 constexpr int kMostIterations = 10'000;
 constexpr std::size_t kMostParts = 20'000;    // geoms and sites
 
@@ -198,6 +198,7 @@ class Reader {
       model_.excludes.emplace_back(element.text("body1"), element.text("body2"));
     }
     if (element.name != "pair") return;
+    limit(element, pairs_++);
     const MjcfElement full = defaults_.resolved(element, "");
     const std::string first = element.text("geom1"), second = element.text("geom2");
     read_pair(full, first, is_ground(second));
@@ -209,12 +210,12 @@ class Reader {
     for (MjcfBody& body : model_.bodies) {
       for (MjcfGeom& geom : body.geoms) {
         if (name.empty() || geom.name != name) continue;
-        const MjcfSurface said = read_mjcf_pair(element, geom.surface);
+        const MjcfSurface said = read_mjcf_pair(element);
         geom.touches = true;
         if (!on_ground) continue;
         if (!paired_.insert(name).second && said.contact.friction[0] < geom.surface.contact.friction[0]) continue;
         geom.surface = said;
-        if (element.has("friction")) geom.friction = said.contact.friction[0];
+        geom.friction = said.contact.friction[0];
       }
     }
   }
@@ -305,6 +306,7 @@ class Reader {
   MjcfModel model_;
   std::map<std::string, const MjcfJoint*> joints_;
   std::set<std::string> paired_;  // geoms in a <pair> with the ground
+  std::size_t pairs_ = 0;
   std::size_t parts_ = 0, joint_count_ = 0;
   int tendons_ = 0;
 };

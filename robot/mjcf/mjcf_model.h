@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "robot/mjcf/mujoco_config.h"
 #include "robot/mjcf/mjcf_compiler.h"
 #include "robot/mjcf/mjcf_element.h"
+#include "robot/mjcf/mujoco_config.h"
 
 namespace twinbus {
 

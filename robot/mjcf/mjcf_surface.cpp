@@ -63,8 +63,8 @@ MjcfSurface touching(const MjcfSurface& a, const MjcfSurface& b) {
   return both;
 }
 
-MjcfSurface read_mjcf_pair(const MjcfElement& element, const MjcfSurface& both) {
-  MjcfSurface surface = both;
+MjcfSurface read_mjcf_pair(const MjcfElement& element) {
+  MjcfSurface surface;
   // Two of sliding, which here are one, spinning, two of rolling.
   const std::vector<double> friction = element.numbers("friction", 1, 5, 1e3);
   check_friction(element, friction);

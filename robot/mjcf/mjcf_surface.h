@@ -12,7 +12,7 @@ MjcfSurface read_mjcf_surface(const MjcfElement& element);
 // That with the higher priority; of equal ones the larger friction and condim, and solref and solimp weighted by solmix.
 MjcfSurface touching(const MjcfSurface& a, const MjcfSurface& b);
 
-// What a <pair>, its defaults applied, says otherwise than `both`.
-MjcfSurface read_mjcf_pair(const MjcfElement& element, const MjcfSurface& both);
+// Of a <pair>, its defaults applied; what it does not say is MuJoCo's default, whatever its geoms say.
+MjcfSurface read_mjcf_pair(const MjcfElement& element);
 
 }  // namespace twinbus

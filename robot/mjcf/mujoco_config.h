@@ -1,6 +1,7 @@
 // What the MuJoCo model of a robot says of the solver and of contacts: the map `mujoco` of robot.yaml.
 //
-// Engine mujoco and `export --to mjcf` use it, nobody else; a robot without it has MuJoCo's defaults.  Not part of the model's
+// Engine mujoco and `export --to mjcf` use it, nobody else; an export leaves iterations and ls_iterations out, since its implicit
+// integrator wants contacts that are solved to the end.  A robot without it has MuJoCo's defaults.  Not part of the model's
 // hash: it is the same robot whatever simulates it.
 
 #pragma once
@@ -14,7 +15,7 @@
 
 namespace twinbus {
 
-// Between links and the ground, in MuJoCo's words.
+// Of links with the ground, in MuJoCo's words; it is written on their geoms, so obstacles and loose bodies meet it too.
 struct MujocoContact {
   std::vector<std::string> links;  // of the URDF, fixed ones included
   std::array<double, 3> friction{1.0, 0.005, 0.0001};  // sliding, spinning [m], rolling [m]; on a ground of kMujocoGround

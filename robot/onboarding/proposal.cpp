@@ -89,15 +89,15 @@ class Writer {
       if (link_a != link_b)
         model_.disabled_pairs.push_back({std::min(link_a, link_b), std::max(link_a, link_b)});
     }
-    take_trained();
-    posture_ = neutral_posture(model_);
-    choose_posture();
-    pairs_ = pairs_at_rest(model_, {neutral_posture(model_), posture_});
     for (int j = 0; j < model_.joint_count(); ++j) {
       for (const Hand& hand : anatomy.hands) {
         if (hand.link > 0 && j + 1 != hand.link && above(hand.link, j + 1)) fingers_.push_back(j);
       }
     }
+    take_trained();
+    posture_ = neutral_posture(model_);
+    choose_posture();
+    pairs_ = pairs_at_rest(model_, {neutral_posture(model_), posture_});
   }
 
   std::string yaml(const std::string& srdf_name) {
@@ -203,14 +203,20 @@ class Writer {
                                              static_cast<Eigen::Index>(pose.q.size()));
   }
 
-  // What a file of the robot does not say of its gears and the specification of a policy does.
+  bool has_rotor(int joint) const {
+    const std::string& name = model_.joints[at(joint)].name;
+    return model_.joints[at(joint)].rotor_inertia > 0.0 ||
+           std::any_of(known_.rotors.begin(), known_.rotors.end(), [&](const SrdfRotor& rotor) { return rotor.joint == name; });
+  }
+
+  // What no file of the robot says of its gears and the specification of a policy does.
   void take_trained() {
     int rotors = 0, rubbing = 0;
     for (const TrainedJoint& trained : source_.trained) {
       const int j = model_.find_joint(trained.joint);
-      if (j < 0) continue;
+      if (std::find(model_.bus_joints.begin(), model_.bus_joints.end(), j) == model_.bus_joints.end() || is_finger(j)) continue;
       Joint& joint = model_.joints[at(j)];
-      const bool turns = !(joint.rotor_inertia > 0.0) && trained.rotor_inertia > 0.0;
+      const bool turns = !has_rotor(j) && trained.rotor_inertia > 0.0;
       const bool rubs = !(joint.friction > 0.0) && trained.friction > 0.0;
       if (turns) joint.rotor_inertia = trained.rotor_inertia;
       if (rubs) joint.friction = trained.friction;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"
@@ -14,6 +15,11 @@ namespace {
 // risen by so much over the least it had.
 constexpr double kShare = 0.01, kRise = 0.03;
 constexpr double kLeast = 1e-3;  // [J]
+
+// No number leaves a band without a bound.
+void widen(double& band, double value) noexcept {
+  band = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(band, value);
+}
 }  // namespace
 
 EnergyBalance::EnergyBalance(const Model& model, const WorldConfig& config)
@@ -92,8 +98,8 @@ bool EnergyBalance::add(const World& world, double pushed) noexcept {
   least_ = std::min(least_, sum_);
   if (estimated_) return false;
   const double gains = kShare * scale + kLeast, rises = kRise * scale + kLeast;
-  if (!(gain_ <= gains) && !(gain_ <= gain_band_)) gain_band_ = gain_;
-  if (!(sum_ - least_ <= rises) && !(sum_ - least_ <= rise_band_)) rise_band_ = sum_ - least_;
+  if (!(gain_ <= gains)) widen(gain_band_, gain_);
+  if (!(sum_ - least_ <= rises)) widen(rise_band_, sum_ - least_);
   const bool risen = sum_ - lowest_ > std::max(rises, most_rise_);
   if (risen) lowest_ = sum_;  // said once
   return risen || !(gain_ <= std::max(gains, most_gain_));

@@ -4,7 +4,8 @@
 //
 // Friction, dampers, stops and backward Euler only take energy: a gain is an error of the step.  The
 // work of a servo is its torque times the way of its joint: engine articulated knows it at orders 2 and 3, where a command
-// that leaps makes the torque leap within the step; else of the torques before and after whichever gives more.  Of worlds with further robots, whose servos nobody sees, nothing is said.
+// that leaps makes the torque leap within the step; else of the torques before and after whichever gives more.  Of worlds with
+// further robots, whose servos nobody sees, nothing is said.
 
 #pragma once
 

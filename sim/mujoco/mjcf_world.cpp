@@ -108,7 +108,7 @@ std::string solver_options(const MujocoConfig& mujoco, bool engine) {
     if (value > 0) out += std::string(" ") + key + "=\"" + std::to_string(value) + "\"";
   };
   if (early) count("iterations", mujoco.iterations);
-  if (early) count("ls_iterations", mujoco.ls_iterations);
+  if (engine) count("ls_iterations", mujoco.ls_iterations);
   count("noslip_iterations", mujoco.noslip_iterations);
   if (mujoco.elliptic) out += " cone=\"elliptic\"";
   if (mujoco.impratio != 1.0) out += " impratio=\"" + exact_number(mujoco.impratio) + "\"";

@@ -234,6 +234,10 @@ TEST(MjcfRead, ContactsWithTheGroundAreThoseThatMuJoCoMakesOfBoth) {
   EXPECT_EQ(pair.friction, (std::array{0.6, 0.1, 0.2}));
   EXPECT_EQ(pair.condim, 6);
   EXPECT_EQ(pair.solref, (std::array{0.01, 2.0}));
+  // What it leaves out is MuJoCo's default, not that of the geoms; a later pair takes nothing from an earlier one.
+  const std::string bare = "<pair geom1='floor' geom2='foot'/>", some = "<pair geom1='floor' geom2='foot' friction='1.5 1.5'/>";
+  EXPECT_TRUE(only("condim='1'", "condim='6' friction='0.3 0.2' solref='0.05 1'", bare).same_but_links(MujocoContact{}));
+  EXPECT_EQ(only("", "friction='0.3 0.2'", bare + some).friction, (std::array{1.5, 0.005, 0.0001}));
   EXPECT_TRUE(contacts("", "contype='0' conaffinity='0'").empty());
 }
 

@@ -130,7 +130,7 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
   if (result.path.empty()) {
     check.settle_all();
     const SearchPath found = find(quick, keep_on, user);
-    if (found.empty()) return result;
+    if (found.empty()) return result;  // settled by all already
     result.path = shortened(check, quick, found);
   }
   if (result.path.empty()) {
@@ -139,6 +139,7 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
     result.path = find(slow, keep_on, user);
     shorten(slow, result.path, check.robot().joints);
   }
+  check.settle_all();  // as whoever asks next expects it
   result.certain = !result.path.empty();
   return result;
 }

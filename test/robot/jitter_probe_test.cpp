@@ -30,7 +30,7 @@ TEST(JitterProbe, IsNotThereWhereFifoPriorityIsRefused) {
   EXPECT_EQ(probe.stood_still_ns(0, INT64_MAX), 0);
 }
 
-TEST(MissedTicks, AreTheLoopsOwnWhereThereIsNoWitness) {
+TEST(MissedTicks, AreTheLoopsOwnWhereThereIsNoProbe) {
   MissedTicks missed;
   Heartbeat beat;
   missed.add(2, 500'000, 0, kPeriod);

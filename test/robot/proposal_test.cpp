@@ -77,22 +77,24 @@ TEST(Proposal, IsAFolderThatLoadsAndStands) {
   }
 }
 
-// Friction leaves a servo off by friction / kp: a light wrist with it, or with strong gears, gets more than its weight asks for;
-// an effort that no joint has makes no servo that a tick cannot follow.
 TEST(Proposal, TakesRotorsAndFrictionOfATrainingWhereTheFilesSayNothing) {
   Model bare = bare_hrp1s();
   bare.joints[1].rotor_inertia = 0.3;
   ProposalSource source;
   source.urdf_name = "hrp1s.urdf";
-  source.trained = {{.joint = bare.joints[0].name, .rotor_inertia = 0.02, .friction = 0.4}, {.joint = bare.joints[1].name, .rotor_inertia = 0.02}};
+  source.srdf_text = "<robot name='hrp1s'><rotor_params><joint name='" + bare.joints[2].name + "' mass='0.1' gear_ratio='1'/></rotor_params></robot>";
+  for (const std::size_t j : {0, 1, 2}) source.trained.push_back({.joint = bare.joints[j].name, .rotor_inertia = 0.02});
+  source.trained[0].friction = 0.4;
   const Proposal proposal = propose(bare, source);
   const Model model = load_robot_texts({.folder = hrp1s().folder, .yaml = proposal.yaml, .urdf = bare.urdf_text, .srdf = proposal.srdf});
   const auto joint = [&](std::size_t j) { return model.joints[at(model.find_joint(bare.joints[j].name))]; };
   EXPECT_EQ(joint(0).rotor_inertia, 0.02);
   EXPECT_EQ(joint(0).friction, 0.4);
-  EXPECT_EQ(proposal.yaml.find("rotor_inertia"), proposal.yaml.rfind("rotor_inertia"));  // the other one has its own
+  EXPECT_EQ(proposal.yaml.find("rotor_inertia"), proposal.yaml.rfind("rotor_inertia"));  // the others have their own
 }
 
+// Friction leaves a servo off by friction / kp: a light wrist with it, or with strong gears, gets more than its weight asks for;
+// an effort that no joint has makes no servo that a tick cannot follow.
 TEST(Proposal, ServosOfArmsOvercomeFriction) {
   Model bare = load_urdf(hrp1s().folder + "/hrp1s.urdf", find_packages(hrp1s().folder + "/hrp1s.urdf"));
   const int wrist = hrp1s().hands[0].joints.back();

@@ -266,7 +266,8 @@ class Runner:
         self._unfaded, self._fresh = None if fades else (state.run_id, state.term, until), False
         self._held, self._fade_ns = (self._held, state.time_ns) if self._held is not None and fades else (None, None)
         if float(off.max()) > 0.1 and self.options.wait == 0.0:
-            self.options.say(f'{self.controller.robot.names()[int(off.argmax())]} is {float(off.max()):.2f} rad away from the posture of the '
+            joint = self.controller.robot.bus[int((off / far).argmax())]
+            self.options.say(f'{joint.name} is {float(off[joint.bus]):.2f} {"m" if joint.kind == "prismatic" else "rad"} away from the posture of the '
                              'policy, which begins at once: ./twinbus up --start-pose, or --wait 0.3')
 
     def _follow_balanced_stop(self, state: messages.robot_state_t) -> bool:
