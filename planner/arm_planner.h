@@ -79,8 +79,13 @@ class ArmPlanner {
 
  private:
   struct Question;
+  struct Effort {
+    double clearance = 0.0;  // [m]
+    int rounds = 0;
+    bool exact = false;  // lines are decided by exact distances; on return: they were
+  };
   ArmPlan attempt(const ArmGoal& goal, const Configuration& start,
-                  const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
+                  const Eigen::Isometry3d& ground_in_world, std::uint64_t seed, Effort& spent,
                   bool (*keep_on)(void*), void* user);
   bool understand(const ArmGoal& goal, const Configuration& start, const Eigen::Isometry3d& ground,
                   Question& question, ArmPlan& plan) const;

@@ -16,7 +16,7 @@ TWINBUS_INLINE void moved_by(const Lanes3& drift, const Lanes3& spin, const Lane
 }
 
 inline void sweep_of_pair(const BlockRobot& robot, const BlockWork& w, const BlockGroup& a, const BlockGroup& b,
-                          const float* step, float half, Sweep& sweep) {
+                          const float* step, float half, float slack, Sweep& sweep) {
   int body[2] = {a.body, b.body};
   float steps[2] = {}, swing[2] = {};
   while (body[0] != body[1]) {
@@ -29,19 +29,19 @@ inline void sweep_of_pair(const BlockRobot& robot, const BlockWork& w, const Blo
   }
   motion_seen(w, a.body, body[0], all(half), sweep.drift, sweep.spin);
   motion_seen(w, b.body, body[0], all(half), sweep.side_drift, sweep.side_spin);
-  sweep.bend = all(0.5F * half * half * (steps[0] * swing[0] + steps[1] * swing[1]) + 2.0F * kRounding);
+  sweep.bend = all(0.5F * half * half * (steps[0] * swing[0] + steps[1] * swing[1]) + slack + 2.0F * kRounding);
   sweep.side_moves = b.body != body[0];
 }
 
 // Is everything free not only at t (a lane each) but from t - half to t + half?  certain: yes, by
-// how fast the parts move and turn; touches: not even at t.
+// how fast the parts move and turn; touches: not even at t.  slack: how far anything may be from there besides [m].
 //
 // A point x of a group with middle c moves from x(t) by at most
 //     half (|c'| + |omega| |x - c|) + half^2 / 2 max |x''|,
 // and along a direction n by half |n . c'| in place of the first term.  Two groups move as seen from the last body that
 // carries both: what moves them together does not bring them nearer.
 inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork& w,
-                    const float* from, const float* step, const Lanes& t, float half,
+                    const float* from, const float* step, const Lanes& t, float half, float slack,
                     unsigned& certain_lanes, unsigned& touching_lanes) {
   const int groups = static_cast<int>(robot.groups.size());
   const int last = static_cast<int>(robot.bodies.size()) - 1;
@@ -69,7 +69,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
   const Lanes h = all(half);
   for (int g = 0; g < groups; ++g) {
     const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
-    w.bend[g] = 0.5F * half * half * steps * w.swing[g / 8][g % 8] + kRounding;
+    w.bend[g] = 0.5F * half * half * steps * w.swing[g / 8][g % 8] + slack + kRounding;
     const Lanes* rate = w.rate[group.body];
     const Lanes* p = w.around[g];
     for (int i = 0; i < 3; ++i) {  // omega x p + v
@@ -108,8 +108,9 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
         Sweep sweep{};
         motion_seen(w, group.body, 0, h, sweep.drift, sweep.spin);
         sweep.bend = all(w.bend[g]);
-        separate(robot, w, g, shape,
-                 all(w.bend[g] + robot.grow) + w.turn[g] * all(group.around.radius), w.moves[g], &sweep,
+        const float kept = kept_of_shape(robot, scene, g, shape);
+        separate(robot, w, g, shape, kept,
+                 all(w.bend[g] + kept) + w.turn[g] * all(group.around.radius), w.moves[g], &sweep,
                  open & ~near, far, clear);
         near |= open & ~far;
         touching |= touched & ~clear & ~far;
@@ -125,7 +126,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
     if (!any((square < rough * rough) & ~near)) continue;
     if (clear_on_line(robot, pair, from, step)) continue;
     Sweep sweep;
-    sweep_of_pair(robot, w, ga, gb, step, half, sweep);
+    sweep_of_pair(robot, w, ga, gb, step, half, slack, sweep);
     Lanes relative[3], of_b[3];
     moved_by(sweep.drift, sweep.spin, w.around[a], relative);
     moved_by(sweep.side_drift, sweep.side_spin, w.around[b], of_b);
@@ -160,7 +161,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
     if (!any(asked)) continue;
     Flags far, clear;
     separate_pair(robot, w, pair,
-                  sweep.bend + all(robot.grow) + turn_a * all(ga.around.radius) + turn_b * all(gb.around.radius),
+                  sweep.bend + all(kept_of_pair(robot, pair)) + turn_a * all(ga.around.radius) + turn_b * all(gb.around.radius),
                   relative, &sweep, asked, far, clear);
     near |= open & ~far;
     touching |= touched & ~clear & ~far;

@@ -109,7 +109,7 @@ bool BlockCheck::point_free(const float* q) noexcept {
 }
 
 // Eight pieces; those that are not certain are halved.
-bool BlockCheck::line_certain(const float* from, const float* step) noexcept {
+bool BlockCheck::line_certain(const float* from, const float* step, float slack) noexcept {
   constexpr int kDepth = 10, kMost = 512;
   std::array<std::array<float, kMost>, 2> middles;
   int count = 8;
@@ -124,7 +124,7 @@ bool BlockCheck::line_certain(const float* from, const float* step) noexcept {
       for (int i = 0; i < 8; ++i) t[i] = now[at(std::min(first + i, count - 1))];
       unsigned certain = 0, touching = 0;
       TWINBUS_BLOCK(set_,
-                    certain(*robot_, *scene_, *work_, from, step, t, half, certain, touching));
+                    certain(*robot_, *scene_, *work_, from, step, t, half, slack, certain, touching));
       ++blocks_;
       if (touching != 0) return false;
       for (int i = 0; i < std::min(8, count - first); ++i) {

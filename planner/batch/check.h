@@ -46,8 +46,8 @@ class BlockCheck {
   bool line_free(const float* from, const float* step, int blocks) noexcept;
   bool point_free(const float* q) noexcept;
   // Is every posture of the line free, ends included?  No is also said when that cannot be proved in
-  // about a thousand pieces.
-  bool line_certain(const float* from, const float* step) noexcept;
+  // about a thousand pieces.  slack: how far the robot may be from the posture on the line besides [m].
+  bool line_certain(const float* from, const float* step, float slack = 0.0F) noexcept;
 
   std::int64_t blocks() const noexcept { return blocks_; }  // looked at so far
   const BlockRobot& robot() const noexcept { return *robot_; }

@@ -30,11 +30,13 @@ TWINBUS_INLINE bool touches_inside(const BlockRobot& robot, const BlockWork& w, 
 }
 
 // Is the convex body of group g clear of the shape in all lanes where balls touch?
-TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockWork& w, int g, const BlockShape& shape, const Flags& touched) {
+TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockScene& scene, const BlockWork& w, int g, const BlockShape& shape,
+                            const Flags& touched) {
+  const float kept = kept_of_shape(robot, scene, g, shape);
   const auto touch = [&](const Lanes* p, float radius) { return meets(shape, p, all(radius)); };
   if (touches_inside(robot, w, robot.groups[static_cast<std::size_t>(g)], touched, touch)) return false;
   Flags far, apart_at_all;
-  separate(robot, w, g, shape, all(kRounding + robot.grow), nullptr, nullptr, touched, far, apart_at_all);
+  separate(robot, w, g, shape, kept, all(kRounding + kept), nullptr, nullptr, touched, far, apart_at_all);
   return !any(touched & ~far);
 }
 
@@ -77,8 +79,8 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
       }
       if (w.notes) {
         w.settles[g] = w.settles[g] || any(touched);
-        w.fine[g] = w.fine[g] || (any(touched) && !settled(robot, w, g, shape, touched));
-      } else if (any(touched) && !settled(robot, w, g, shape, touched)) {
+        w.fine[g] = w.fine[g] || (any(touched) && !settled(robot, scene, w, g, shape, touched));
+      } else if (any(touched) && !settled(robot, scene, w, g, shape, touched)) {
         return false;
       }
       if (found.count == 0) continue;
@@ -163,7 +165,7 @@ inline bool pair_free(const BlockRobot& robot, BlockWork& w, int pair) {
   };
   if (!w.notes && touches_inside(robot, w, ga, touch, touches)) return false;
   Flags far, apart_at_all;
-  separate_pair(robot, w, pair, all(kRounding + robot.grow), nullptr, nullptr, touch, far, apart_at_all);
+  separate_pair(robot, w, pair, all(kRounding + kept_of_pair(robot, pair)), nullptr, nullptr, touch, far, apart_at_all);
   if (!w.notes) return !any(touch & ~far);
   w.fine_pair[pair] = w.fine_pair[pair] || any(touch & ~far);
   return w.settles_pair[pair] = true;

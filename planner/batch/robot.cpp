@@ -159,6 +159,25 @@ BallGroup group_from(const LinkGeometry& geometry) {
   return group;
 }
 
+GroupBounds bounds_of(const BallGroup& group) {
+  GroupBounds bounds{.balls = around(group.balls), .pieces = {}, .bunches = {}};
+  std::vector<Ball> bunch;
+  for (std::size_t i = 0; i < group.pieces.size(); ++i) {
+    const std::vector<Eigen::Vector3d>& corners = group.pieces[i];
+    Ball ball;
+    for (const Eigen::Vector3d& c : corners) ball.center += c / static_cast<double>(corners.size());
+    for (const Eigen::Vector3d& c : corners)
+      ball.radius = std::max(ball.radius, rounded_up((c - ball.center).norm()) + kRounding);
+    bounds.pieces.push_back(ball);
+    if (i > 0) bunch.push_back(ball);
+    if (bunch.size() == at(kBunch) || (!bunch.empty() && i + 1 == group.pieces.size())) {
+      bounds.bunches.push_back(around(bunch));
+      bunch.clear();
+    }
+  }
+  return bounds;
+}
+
 BlockRobot compile_robot(const Model& model, const Configuration& posture,
                          const std::vector<int>& planned, const std::vector<BallGroup>& groups,
                          const std::vector<std::pair<int, int>>& pairs, double grow) {
@@ -227,7 +246,8 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
     group.body = place.body;
     group.first = static_cast<int>(robot.balls.size());
     group.count = static_cast<int>(from.balls.size());
-    group.around = to_block(around(from.balls), place.in_body, grow);
+    const GroupBounds bounds = from.bounds ? *from.bounds : bounds_of(from);
+    group.around = to_block(bounds.balls, place.in_body, grow);
     for (const Ball& ball : from.balls) robot.balls.push_back(to_block(ball, place.in_body, grow));
     group.first_piece = static_cast<int>(robot.pieces.size());
     group.piece_count = static_cast<int>(from.pieces.size());
@@ -235,29 +255,20 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
     group.inner_count = static_cast<int>(from.inner.size());
     for (const Ball& ball : from.inner) robot.inner.push_back(to_block(ball, place.in_body, 0.0));
     group.first_bunch = static_cast<int>(robot.bunches.size());
-    std::vector<Ball> bunch;
-    for (const std::vector<Eigen::Vector3d>& corners : from.pieces) {
+    for (const Ball& bunch : bounds.bunches) robot.bunches.push_back(to_block(bunch, place.in_body, grow));
+    for (std::size_t i = 0; i < from.pieces.size(); ++i) {
+      const std::vector<Eigen::Vector3d>& corners = from.pieces[i];
       BlockPiece piece;
       piece.first = static_cast<int>(robot.corners.size());
       piece.count = static_cast<int>(corners.size());
       piece.room = (piece.count + 15) / 16 * 16;
-      Ball ball;
-      for (const Eigen::Vector3d& c : corners)
-        ball.center += c / static_cast<double>(corners.size());
-      for (const Eigen::Vector3d& c : corners)
-        ball.radius = std::max(ball.radius, rounded_up((c - ball.center).norm()) + kRounding);
-      piece.around = to_block(ball, place.in_body, grow);
-      if (&corners != &from.pieces.front()) bunch.push_back(ball);
-      if (!bunch.empty() && (bunch.size() == at(kBunch) || &corners == &from.pieces.back())) {
-        robot.bunches.push_back(to_block(around(bunch), place.in_body, grow));
-        bunch.clear();
-      }
+      piece.around = to_block(bounds.pieces[i], place.in_body, grow);
       robot.pieces.push_back(piece);
-      for (int axis = 0; axis < 3; ++axis) {
-        for (int k = 0; k < piece.room; ++k) {
-          const Eigen::Vector3d& corner = corners[at(k < piece.count ? k : 0)];
-          robot.corners.push_back(static_cast<float>((place.in_body * corner)[axis]));
-        }
+      robot.corners.resize(robot.corners.size() + at(3 * piece.room));
+      float* columns = robot.corners.data() + piece.first;
+      for (int k = 0; k < piece.room; ++k) {
+        const Eigen::Vector3d corner = place.in_body * corners[at(k < piece.count ? k : 0)];
+        for (int axis = 0; axis < 3; ++axis) columns[axis * piece.room + k] = static_cast<float>(corner[axis]);
       }
     }
     for (int b = place.body; b > 0; b = robot.bodies[at(b)].parent) {
@@ -271,6 +282,7 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
     robot.groups.push_back(group);
     if (group.body == 0) ++robot.fixed_groups;
   }
+  robot.group_of = index;
   for (const auto& [a, b] : pairs) {
     if (index[at(a)] < 0 || index[at(b)] < 0) continue;
     if (robot.groups[at(index[at(a)])].body == robot.groups[at(index[at(b)])].body) continue;

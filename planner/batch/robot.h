@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,13 @@ inline constexpr int kBlockGroups = 96;   // groups of balls
 inline constexpr int kBlockBalls = 2048;  // balls
 inline constexpr int kBunch = 16;         // pieces that have one ball around them
 
+// Balls around what a group has, in the link frame [m].
+struct GroupBounds {
+  Ball balls;                  // around all balls
+  std::vector<Ball> pieces;    // around each
+  std::vector<Ball> bunches;   // of up to kBunch pieces each, but the first
+};
+
 // Balls of one link, or of one part of it: with one ball around them.
 struct BallGroup {
   int link = 0;             // model index
@@ -30,6 +38,7 @@ struct BallGroup {
   // others everything together, more tightly.  Empty: the balls have the last word.
   std::vector<std::vector<Eigen::Vector3d>> pieces = {};
   std::vector<Ball> inner = {};  // inside of the link: what touches them touches it
+  std::optional<GroupBounds> bounds = std::nullopt;  // as bounds_of finds them, when a group is compiled more than once
   bool held = false;  // of an obstacle that the link holds; without balls: of one that it does not
 };
 
@@ -74,6 +83,12 @@ struct ClearCells {
   std::vector<int> open;  // [count + 1 x count + 1]: how many cells before both are not clear
 };
 
+// A group and an obstacle of the scene that keep less than others.
+struct BlockMargin {
+  int group = 0, shape = 0;
+  float kept = 0.0F;  // [m]
+};
+
 struct BlockRobot {
   int joints = 0;
   float grow = 0.0F;                // in every radius; what pieces keep from obstacles [m]
@@ -88,10 +103,17 @@ struct BlockRobot {
   std::vector<float> corners;              // of the pieces, in the body [m]
   std::vector<ClearCells> clear;           // of the pairs, or empty
   std::vector<std::pair<int, int>> pairs;  // groups that may touch; those that touch often first
+  std::vector<int> group_of;               // index in groups of each that was compiled; -1: it has no balls
+  // Where hulls and pieces keep less than `grow`: of each pair, or empty, and of some groups and obstacles.
+  std::vector<float> kept_of_pairs;  // [m]
+  std::vector<BlockMargin> kept_of_shapes;
 };
 
 // Balls, hull and clusters of a link.
 BallGroup group_from(const LinkGeometry& geometry);
+
+// Milliseconds for a link of many pieces.
+GroupBounds bounds_of(const BallGroup& group);
 
 // planned: model indices.  Other joints, and the base, stay as in posture; the result is in its
 // world.  pairs: indices of groups; those that no planned joint moves are dropped.  grow: added to

@@ -1,6 +1,17 @@
 // Planes between groups and obstacles, and between two groups: what settles the matter where balls touch.  Included once per
 // instruction set, inside a namespace, by check.cpp: no #pragma once.
 
+// What hulls and pieces of a pair, or of a group and an obstacle, keep [m].
+TWINBUS_INLINE float kept_of_pair(const BlockRobot& robot, int pair) {
+  return robot.kept_of_pairs.empty() ? robot.grow : robot.kept_of_pairs[static_cast<std::size_t>(pair)];
+}
+TWINBUS_INLINE float kept_of_shape(const BlockRobot& robot, const BlockScene& scene, int g, const BlockShape& shape) {
+  for (const BlockMargin& margin : robot.kept_of_shapes) {
+    if (margin.group == g && &shape - scene.shapes.data() == margin.shape) return margin.kept;
+  }
+  return robot.grow;
+}
+
 // Are a piece of a body and the other side on two sides of a plane?  far: by more than a margin of `fixed` and, along the
 // plane's normal, of `moves`, or on all of the sweep; separate: at all.  Looks for it as Gilbert,
 // Johnson and Keerthi (1988) do: across the way from zero to the nearest point of what is known of
@@ -9,10 +20,10 @@
 template <class Side>
 inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int body,
                            const BlockPiece& piece, const Lanes* middle, const Side& side,
-                           const Lanes& fixed, const Lanes* moves, const Sweep* sweep, const Flags& asked, bool one,
+                           float kept, const Lanes& fixed, const Lanes* moves, const Sweep* sweep, const Flags& asked, bool one,
                            Flags& far, Flags& separate) {
   far = separate = Flags{};
-  const Lanes least_gap = all(kRounding + robot.grow);
+  const Lanes least_gap = all(kRounding + kept);
   Lanes3 n, known[3];
   Lanes length = all(1e30F);
   Flags meet = {}, open = asked;
@@ -68,7 +79,7 @@ TWINBUS_INLINE void each_piece(const BlockRobot& robot, const BlockGroup& group,
 
 // The same of the whole group: its hull, or, where that touches, each of its pieces.
 inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const BlockShape& shape,
-                     const Lanes& fixed, const Lanes* moves, const Sweep* sweep, const Flags& asked, Flags& far,
+                     float kept, const Lanes& fixed, const Lanes* moves, const Sweep* sweep, const Flags& asked, Flags& far,
                      Flags& separate) {
   const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
   far = separate = Flags{};
@@ -76,7 +87,7 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
   const BlockPiece& hull = robot.pieces[static_cast<std::size_t>(group.first_piece)];
   const bool whole = !w.by_pieces || !w.fine[g] || group.piece_count == 1;
   const ObstacleSide side{shape};
-  separate_piece(robot, w, group.body, hull, w.around[g], side, fixed, moves, sweep, asked, whole, far,
+  separate_piece(robot, w, group.body, hull, w.around[g], side, kept, fixed, moves, sweep, asked, whole, far,
                  separate);
   const Flags rest = asked & ~separate;
   if (whole || !any(rest)) return;
@@ -94,7 +105,7 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
     const Flags near = meets(shape, middle, all(piece.around.radius) + margin) & rest;
     if (!any(near)) return;
     Flags piece_far, piece_separate;
-    separate_piece(robot, w, group.body, piece, middle, side, fixed, moves, sweep, near, true, piece_far,
+    separate_piece(robot, w, group.body, piece, middle, side, kept, fixed, moves, sweep, near, true, piece_far,
                    piece_separate);
     all_far &= piece_far | ~near;
     all_separate &= piece_separate | ~near;
@@ -110,13 +121,14 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
   const BlockGroup& ga = robot.groups[static_cast<std::size_t>(a)];
   const BlockGroup& gb = robot.groups[static_cast<std::size_t>(b)];
   far = separate = Flags{};
+  const float kept = kept_of_pair(robot, pair);
   if (!w.pairs_by_hulls || ga.piece_count == 0 || gb.piece_count == 0) return;
   const BlockPiece &hull_a = robot.pieces[static_cast<std::size_t>(ga.first_piece)],
                    &hull_b = robot.pieces[static_cast<std::size_t>(gb.first_piece)];
   const bool whole = !w.by_pieces || !w.fine_pair[pair] || (ga.piece_count == 1 && gb.piece_count == 1);
   const auto& around_b = w.around[b];
   const GroupSide side_b{robot, w, gb.body, hull_b, around_b};
-  separate_piece(robot, w, ga.body, hull_a, w.around[a], side_b, fixed, moves, sweep, asked, whole, far, separate);
+  separate_piece(robot, w, ga.body, hull_a, w.around[a], side_b, kept, fixed, moves, sweep, asked, whole, far, separate);
   Flags rest = asked & ~separate;
   if (whole || !any(rest)) return;
   Lanes margin = fixed;
@@ -142,7 +154,8 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
       if (!any(near)) return;
       Flags piece_far, piece_separate;
       const GroupSide side{robot, w, gb.body, piece_b, middle_b};
-      separate_piece(robot, w, ga.body, piece_a, middle_a, side, fixed, moves, sweep, near, true, piece_far, piece_separate);
+      separate_piece(robot, w, ga.body, piece_a, middle_a, side, kept, fixed, moves, sweep, near, true, piece_far,
+                     piece_separate);
       all_far &= piece_far | ~near;
       all_separate &= piece_separate | ~near;
       rest &= all_far | all_separate;
@@ -154,7 +167,8 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
     const Flags near = near_of(middle_a, piece_a.around.radius, around_b, gb.around.radius);
     if (!any(near)) return;
     Flags piece_far, piece_separate;
-    separate_piece(robot, w, ga.body, piece_a, middle_a, side_b, fixed, moves, sweep, near, false, piece_far, piece_separate);
+    separate_piece(robot, w, ga.body, piece_a, middle_a, side_b, kept, fixed, moves, sweep, near, false, piece_far,
+                   piece_separate);
     const Flags deep = near & ~piece_separate;
     all_far &= piece_far | ~near | deep;
     all_separate &= piece_separate | ~near | deep;

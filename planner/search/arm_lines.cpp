@@ -4,23 +4,35 @@
 #include <cmath>
 
 #include "common/math/index.h"
+#include "robot/collision/links/inscribed_spheres.h"
 #include "robot/description/hand_of.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr int kMostBalls = 8;  // along a link
+constexpr int kMostBalls = 8;    // along a link
+constexpr int kInnerBalls = 12;  // of a link
+constexpr double kMostSlack = 0.004;  // of a curve from its chord; those that stray farther are halved first [m]
+
+// The groups of links and obstacles by their indices in pairs.
+class GroupOf {
+ public:
+  GroupOf(const Model& model, const std::vector<BallGroup>& groups)
+      : link_count_(model.link_count()), of_link_(at(link_count_), -1) {
+    for (; links_ < static_cast<int>(groups.size()) && !groups[at(links_)].held; ++links_)
+      of_link_[at(groups[at(links_)].link)] = links_;
+  }
+  int operator()(int index) const { return index < link_count_ ? of_link_[at(index)] : links_ + index - link_count_; }
+
+ private:
+  int link_count_, links_ = 0;
+  std::vector<int> of_link_;
+};
 
 std::vector<std::pair<int, int>> pairs_of(const Model& model, const Collision& collision,
                                           const std::vector<BallGroup>& groups) {
-  std::vector<int> group_of(at(model.link_count()), -1);
-  int links = 0;
-  for (; links < static_cast<int>(groups.size()) && !groups[at(links)].held; ++links)
-    group_of[at(groups[at(links)].link)] = links;
-  const auto group = [&](int index) {
-    return index < model.link_count() ? group_of[at(index)] : links + index - model.link_count();
-  };
+  const GroupOf group(model, groups);
   std::vector<std::pair<int, int>> pairs;
   for (const auto* listed : {&collision.pairs(), &collision.held_pairs()}) {
     for (const CollisionPair& pair : *listed) pairs.emplace_back(group(pair.link_a), group(pair.link_b));
@@ -36,7 +48,6 @@ BallGroup balls_along(const LinkGeometry& link) {
   // A ball holds its share of the capsule: half a share along, the radius across.
   const double half = 0.5 * along.norm() / count;
   BallGroup group = group_from(link);
-  group.pieces.resize(1);  // the hull
   for (int i = 0; i < count; ++i) {
     group.balls.push_back(
         {capsule.a + (i + 0.5) / count * along, std::hypot(capsule.radius, half)});
@@ -44,6 +55,8 @@ BallGroup balls_along(const LinkGeometry& link) {
   // The round ends stick out of the last balls.
   group.balls.push_back({capsule.a, capsule.radius});
   group.balls.push_back({capsule.b, capsule.radius});
+  group.inner = inner_balls(link, kInnerBalls, 0);
+  group.bounds = bounds_of(group);
   return group;
 }
 
@@ -65,11 +78,47 @@ JointPoint from_search(const SearchPoint& q, int joints) {
 ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collision,
                    const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles)
     : exact_(&exact),
-      scene_(obstacles),
       robot_(compile_robot(model, exact.posture(), exact.joints(), groups,
                            pairs_of(model, collision, groups), exact.clearance())),
       check_(robot_, scene_) {
+  for (const Obstacle& obstacle : obstacles) {
+    const std::size_t before = scene_.shapes.size();
+    if (obstacle.hand < 0) scene_.add(obstacle);
+    if (takes_part(obstacle, model)) shape_of_.push_back(scene_.shapes.size() > before ? static_cast<int>(before) : -1);
+  }
+  scene_.finish();
+  keep_less_at_ends(model, groups);
   check_.settle_pairs(true);
+  check_.settle_by_pieces(true);
+}
+
+// What is near where the motion begins or ends, as the exact check takes it.
+void ArmLines::keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups) {
+  ends_ = exact_->ends();
+  if (ends_.empty()) return;
+  const GroupOf group(model, groups);
+  robot_.kept_of_pairs.assign(robot_.pairs.size(), robot_.grow);
+  for (EndPair& end : ends_) {
+    end.margin = exact_->margin(end.link_a, end.link_b);
+    const auto kept = static_cast<float>(end.margin);
+    const int of[2] = {end.link_a, end.link_b};
+    for (const int k : {0, 1}) {
+      const int shape = of[k] < model.link_count() ? -1 : shape_of_[at(of[k] - model.link_count())];
+      const int g = robot_.group_of[at(group(of[1 - k]))];
+      if (shape >= 0) robot_.kept_of_shapes.push_back({g, shape, kept});
+    }
+    const std::pair<int, int> ab{robot_.group_of[at(group(of[0]))], robot_.group_of[at(group(of[1]))]};
+    for (std::size_t i = 0; i < robot_.pairs.size(); ++i) {
+      const auto& [a, b] = robot_.pairs[i];
+      if (std::pair(a, b) == ab || std::pair(b, a) == ab) robot_.kept_of_pairs[i] = kept;
+    }
+  }
+}
+
+CertainPath ArmLines::find_proved(JointSearch& search, const SearchPoint& start, const SearchPath& goals, bool (*keep_on)(void*),
+                                  void* user) {
+  constexpr float kDensity = 32.0F;  // postures per radian of a first look
+  return find_certain(search, check_, kDensity, start, goals, keep_on, user);
 }
 
 bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
@@ -83,23 +132,23 @@ bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
   return exact_->line_free(from_search(from, robot_.joints), from_search(to, robot_.joints));
 }
 
-bool ArmLines::proves(const std::array<JointPoint, 4>& curve, int halvings) {
+bool ArmLines::proves(const std::array<JointPoint, 4>& curve, double room, int halvings) {
   const auto& [a, b, c, d] = curve;
   // At most 3 t (1 - t) <= 3/4 of how far the middle points are from thirds of the chord.
   const JointPoint strays = 0.75 * (b - a - (d - a) / 3.0).cwiseAbs().cwiseMax((c - d - (a - d) / 3.0).cwiseAbs());
-  const double room = static_cast<double>(robot_.grow) - exact_->clearance();
-  if (exact_->motion_bound(JointPoint::Zero(a.size()), strays) < room) {
-    const SearchPoint from = to_search(a), step = to_search(d - a);
-    return check_.line_certain(from.data(), step.data());
-  }
-  if (halvings == 0) return false;
+  const double slack = exact_->motion_bound(JointPoint::Zero(a.size()), strays) - room;
+  const SearchPoint from = to_search(a), step = to_search(d - a);
+  if (slack < kMostSlack && check_.line_certain(from.data(), step.data(), static_cast<float>(std::max(0.0, slack)))) return true;
+  if (halvings == 0 || slack <= 0.0) return false;
   const auto [first, second] = halves(curve);
-  return proves(first, halvings - 1) && proves(second, halvings - 1);
+  return proves(first, room, halvings - 1) && proves(second, room, halvings - 1);
 }
 
 bool ArmLines::curve_free(const std::array<JointPoint, 4>& curve) {
   constexpr int kHalvings = 6;
-  return proves(curve, kHalvings) || exact_->curve_free(curve);
+  double room = static_cast<double>(robot_.grow) - exact_->clearance();
+  for (const EndPair& end : ends_) room = std::min(room, end.margin - exact_->margin(end.link_a, end.link_b));
+  return proves(curve, room, kHalvings) || exact_->curve_free(curve);
 }
 
 std::vector<BallGroup> balls_along_links(const Model& model) {

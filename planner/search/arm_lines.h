@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/batch/check.h"
+#include "planner/search/certain_path.h"
 #include "planner/search/edge_check.h"
 #include "planner/search/rrt_connect.h"
 
@@ -21,19 +22,25 @@ class ArmLines : public LineTest {
            const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles);
 
   bool free(const SearchPoint& from, const SearchPoint& step, float length) override;
-  // Does a cubic, given by its Bezier points, keep the clearance that `exact` has now?  Where that is less than the lines keep, the
-  // difference is room to stray from a chord that balls prove; what they cannot prove takes exact distances.
+  // A short way of which every line is proved by balls, hulls and pieces alone, as find_certain.
+  CertainPath find_proved(JointSearch& search, const SearchPoint& start, const SearchPath& goals, bool (*keep_on)(void*),
+                          void* user);
+  // Does a cubic, given by its Bezier points, keep the clearance that `exact` has now?  Its chord
+  // is proved to keep that and how far the curve strays from it; what takes too many pieces takes exact distances.
   bool curve_free(const std::array<JointPoint, 4>& curve);
 
   std::int64_t proved() const { return proved_; }    // lines that balls were enough for
   std::int64_t settled() const { return settled_; }  // lines that took exact distances
 
  private:
-  bool proves(const std::array<JointPoint, 4>& curve, int halvings);
+  void keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups);
+  bool proves(const std::array<JointPoint, 4>& curve, double room, int halvings);
 
   EdgeCheck* exact_;
   BlockScene scene_;
+  std::vector<int> shape_of_;  // of obstacles that take part: in the scene, -1 of what is held
   BlockRobot robot_;
+  std::vector<EndPair> ends_;  // with the margins that lines keep
   BlockCheck check_;
   std::int64_t proved_ = 0, settled_ = 0;
 };

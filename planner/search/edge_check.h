@@ -63,6 +63,9 @@ class EdgeCheck : public FreeSpace {
   // From now on these pairs keep their margins, times `share`, instead of the clearance.
   void keep_at_ends(const std::vector<EndPair>& ends) { ends_ = ends; }
   void set_share_at_ends(double share) { share_ = share; }
+  const std::vector<EndPair>& ends() const { return ends_; }
+  // What is kept of two, now [m].
+  double margin(int link_a, int link_b) const;
   // The least that is kept of any pair [m].
   double kept() const;
 
@@ -75,7 +78,6 @@ class EdgeCheck : public FreeSpace {
   const Configuration& posture() const { return posture_; }
 
  private:
-  double margin(int link_a, int link_b) const;
   double room(const JointPoint& q);
   bool clear_by(const JointPoint& q, double moves);
   bool between(const JointPoint& from, double room_from, const JointPoint& to, double room_to, int halvings);

@@ -33,8 +33,8 @@ bool by_fcl(const Model& model) {
 
 }  // namespace
 
-Collision::Impl::Impl(const Model& robot)
-    : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()) {
+Collision::Impl::Impl(const Model& robot, bool goes_on_ways)
+    : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()), on_ways(goes_on_ways) {
   owner_of.assign(static_cast<std::size_t>(link_count + kMaxObstacles), -1);
   link_radius.assign(static_cast<std::size_t>(link_count), 0.0);
   for (int link = 0; link < link_count; ++link) {
@@ -127,7 +127,7 @@ void Collision::Impl::build_shapes() {
   }
   link_shapes = link_of_shape.size();
   near_shapes.set(capsules);
-  swept->set(parts);
+  if (on_ways) swept->set(parts);
   open_pairs.assign(shapes.size() * shapes.size() / 2, 0);
   ahead = {};
   looked_at = {};
@@ -145,7 +145,7 @@ void Collision::Impl::build_shapes() {
         const auto b = static_cast<std::size_t>(first[static_cast<std::size_t>(pair.b)]) + k;
         pair_of[std::min(a, b) * shapes.size() + std::max(a, b)] = static_cast<int>(p);
         near_shapes.want(static_cast<int>(a), static_cast<int>(b), true);
-        swept->want(static_cast<int>(std::min(a, b)), static_cast<int>(std::max(a, b)));
+        if (on_ways) swept->want(static_cast<int>(std::min(a, b)), static_cast<int>(std::max(a, b)));
         ++wanted;
       }
     }
@@ -217,7 +217,7 @@ bool Collision::Impl::nearer(const NearShapes::Candidate& candidate, double near
   return gap.nearer(*pair.body_a, *pair.body_b, *pair.memory, pair.towards, near, result);
 }
 
-Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
+Collision::Collision(const Model& model, bool on_ways) : impl_(std::make_unique<Impl>(model, on_ways)) {}
 Collision::~Collision() = default;
 
 const std::vector<CollisionPair>& Collision::pairs() const noexcept { return impl_->self_pairs; }

@@ -55,8 +55,8 @@ class Collision {
   static constexpr int kMaxObstacles = 256;
 
   // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be
-  // read.
-  explicit Collision(const Model& model);
+  // read.  on_ways: shall go() and what follows it be called?  What that needs takes milliseconds with each set of obstacles.
+  explicit Collision(const Model& model, bool on_ways = true);
   ~Collision();
 
   const std::vector<CollisionPair>& pairs() const noexcept;  // of links, that are checked
@@ -110,7 +110,7 @@ class Collision {
   // against each other.  False when no shapes are left.
   bool narrow(const Eigen::VectorXd& moves, double margin,
               std::vector<std::uint8_t>& joints, bool legs_alone = false) noexcept;
-  // Goes to the places of a way.  Its joints move no farther than narrow was told.
+  // Goes to the places of a way; `on_ways` was said.  Its joints move no farther than narrow was told.
   void go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept;
   // Of the shapes left, those that no direction at hand proves to stay `margin` apart at the places and
   // `clear` between [m]; at most capacity; how many there are, or that there are more.

@@ -75,12 +75,13 @@ struct Collision::Impl {
   const Model* model = nullptr;
   const Kinematics* kinematics = nullptr;  // of this query
   int link_count = 0;
+  bool on_ways = true;  // go() may be called
   int link_owners = 0, moved_owners = 0;  // links; with what they hold
   std::vector<double> link_radius;        // of a link's own shapes about its origin [m]
   int last_hit = 0;
   std::int64_t query = 0;
 
-  explicit Impl(const Model& robot);
+  Impl(const Model& robot, bool goes_on_ways);
   void measure_reach();
   void build_pairs();
   void build_shapes();

@@ -4,8 +4,9 @@
 "ours" asks what VAMP asks: its balls, its obstacles, 32 postures per radian.  "proved" plans for the exact meshes and proves
 every line of the path; FCL looks at the final paths of both and of VAMP at 1,000 postures per radian.
 
-Both are the search of the planner with the line tests of test/oracles, for comparison with others.  P7 is what the planner's
-process runs: ArmPlanner::plan, goal postures, exact distances and timing included, on hrp1s at the table of the scene reach.
+Both are the search of the planner without the clearances that it keeps.  P8 asks the planner's process itself for the same goals:
+ArmPlanner::plan with clearances, efforts and timing; what it refuses is said with its reason.  P7 is the same on hrp1s at the
+table of the scene reach, goal postures included.
 
 Another robot than Panda: robots/NAME and problems/NAME/NAME_problems.txt of $TWINBUS_DATA, which peers/vamp_problems.py makes of a VAMP
 checkout for ur5, fetch and baxter; P5 to P7 are left out then, and "proved" is asked for all that VAMP solves and 3 times its time at 99 %.
@@ -20,8 +21,10 @@ FCL on every tenth problem, on VAMP's balls beside "ours" and on the meshes besi
 its step, 0: OMPL's own choice.  Exit status 1 if a row falls short.
 """
 
+import collections
 import os
 import pathlib
+import re
 import shutil
 import statistics
 import subprocess
@@ -98,6 +101,24 @@ def measure(name, scratch, data, problems, rounds=1, peer=None):
 def touching_of(folder, data, problems, paths):
     """How many final paths hit the meshes."""
     return int(run(folder / "planner_oracle", data / "robots", problems, given=paths).split()[-1])
+
+
+def as_process(folder, data, problems):
+    """The same goals answered by ArmPlanner: prints the figures and why goals were refused."""
+    done = subprocess.run([str(folder / "planner_cases"), "planner", str(data / "robots"), str(problems), "1"], capture_output=True, text=True, check=True)
+    found, asked = table(done.stdout)
+    reasons = collections.Counter(re.sub(r"\S+ touches", "a link touches", re.sub(r"\S+ would touch .*?:", "a link would touch something:", line.split(" us: ", 1)[1]))
+                                  for line in done.stderr.splitlines() if " us: " in line)
+    if found:
+        times = [us for us, _, _ in found.values()]
+        print(f"process  {len(found)} of {asked} goals answered with a timed motion that keeps clearances: median {statistics.median(times):.0f} us, "
+              f"99 % {slow(times):.0f} us")
+    for reason, count in reasons.most_common(5):
+        print(f"         {count} refused: {reason}")
+    hits = touching_of(folder, data, problems, done.stdout)
+    at_most("P8 motions of the process that hit (FCL, 1000/rad)", 0, hits, len(found))
+    unfound = sum(count for reason, count in reasons.items() if "no way" in reason)
+    at_most("P8 goals it would take but finds no way to, share", 0.01, unfound / max(1, len(found) + unfound), unfound)
 
 
 def table(text):
@@ -204,6 +225,7 @@ def main():
         at_most("P2 median total / VAMP's unproved total", 1.2, a / b, a, "VAMP", b)
         a, b = slow(column(certain, "total")), slow(column(other, "total"))
         at_most("P2 99 % total / VAMP's unproved total", 3, a / b, a, "VAMP", b)
+    as_process(folder, data, problems)
     if ompl:
         built = subprocess.run(["cmake", "--build", str(folder.parent), "--target", "ompl_peer"], capture_output=True)
         if built.returncode == 0:

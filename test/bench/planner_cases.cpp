@@ -1,15 +1,21 @@
 // Our planner on a file of problems, one line per problem, in the form of peers/vamp_peer.cpp.
 //
-//   planner_cases as_vamp|certain ROBOTS PROBLEMS ROUNDS
+//   planner_cases as_vamp|certain|planner ROBOTS PROBLEMS ROUNDS
+//
+// as_vamp: the search with VAMP's balls and looks.  certain: every line proved, without clearance.  planner: what the process
+// answers a goal with, a timed motion that keeps clearances; its knots are printed, why there is none goes to stderr.
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <set>
 #include <string>
 
-#include "test/oracles/certain_path.h"
+#include "common/math/index.h"
+#include "planner/arm_planner.h"
+#include "planner/search/certain_path.h"
 #include "test/oracles/clear_cells.h"
 #include "test/bench/planner_problems.h"
 #include "test/oracles/sort_pairs.h"
@@ -54,7 +60,63 @@ Answer certain(JointSearch& search, BlockCheck& check, const PlanningProblem& p)
   return {.plan_us = now_us() - t0, .shorten_us = 0.0, .path = found.path};
 }
 
+ArmGoal goal_of(const Model& model, const std::vector<int>& planned, const SearchPoint& q) {
+  ArmGoal goal;
+  goal.kind = ArmGoalKind::kJoints;
+  for (std::size_t j = 0; j < planned.size(); ++j) {
+    const auto& bus = model.bus_joints;
+    const auto k = static_cast<std::size_t>(std::find(bus.begin(), bus.end(), planned[j]) - bus.begin());
+    goal.joint_mask |= std::int64_t{1} << k;
+    goal.q[k] = static_cast<double>(q[j]);
+  }
+  return goal;
+}
+
+// The planner's process, asked for one goal after another.
+int as_process(const std::string& robots, const std::string& file, int rounds) {
+  const ProblemFile asked = read_problems(file);
+  auto [model, parts, planned] = robot_of(asked, robots, false);
+  model.hands[0] = {.link = model.joints[at(planned.back())].child, .joints = planned};
+  std::set<std::array<int, 2>> kept;
+  for (const auto& [a, b] : parts.pairs) {
+    const int of[2] = {parts.groups[at(a)].link, parts.groups[at(b)].link};
+    kept.insert({std::min(of[0], of[1]), std::max(of[0], of[1])});
+  }
+  for (int a = 0; a < model.link_count(); ++a) {
+    for (int b = a + 1; b < model.link_count(); ++b) {
+      if (kept.count({a, b}) == 0) model.disabled_pairs.push_back({a, b});
+    }
+  }
+  ArmPlanner planner(model);
+  for (const PlanningProblem& p : asked.problems) {
+    planner.set_obstacles(p.obstacles);
+    Configuration start(model);
+    for (std::size_t j = 0; j < planned.size(); ++j) start.q[planned[j]] = static_cast<double>(p.start[j]);
+    const ArmGoal goal = goal_of(model, planned, p.goal);
+    std::vector<double> plan_us;
+    ArmPlan plan;
+    for (int round = 0; round < rounds; ++round) {
+      const double t0 = now_us();
+      plan = planner.plan(goal, start, Eigen::Isometry3d::Identity(), 1);
+      plan_us.push_back(now_us() - t0);
+      if (plan.status != ArmPathStatus::kOk) break;
+    }
+    if (plan.status != ArmPathStatus::kOk) {
+      std::fprintf(stderr, "%s %d: %.0f us: %s\n", p.set.c_str(), p.number, plan_us.front(), describe(plan).c_str());
+      std::printf("%s %d 0 0 0 0\n", p.set.c_str(), p.number);
+      continue;
+    }
+    std::printf("%s %d %.3f 0 %.6f %zu", p.set.c_str(), p.number, middle(plan_us), plan.duration(), plan.path.size());
+    for (const Knot& knot : plan.path) {
+      for (int j = 0; j < knot.q.size(); ++j) std::printf(" %.7g", knot.q[j]);
+    }
+    std::printf("\n");
+  }
+  return 0;
+}
+
 int run(const std::string& mode, const std::string& robots, const std::string& file, int rounds) {
+  if (mode == "planner") return as_process(robots, file, rounds);
   const bool proves = mode == "certain";
   const ProblemFile asked = read_problems(file);
   auto [model, parts, planned] = robot_of(asked, robots, !proves);

@@ -14,7 +14,7 @@
 #include <exception>
 #include <string>
 
-#include "test/oracles/certain_path.h"
+#include "planner/search/certain_path.h"
 #include "test/oracles/sphere_cover.h"
 #include "common/math/splitmix64.h"
 #include "robot/collision/collision_pairs.h"

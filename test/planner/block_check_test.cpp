@@ -319,6 +319,41 @@ TEST(BlockCheck, EveryInstructionSetSaysTheSame) {
   EXPECT_GT(certain, 50);
 }
 
+// Plates 30 mm apart, and a box 30 mm above the upper one.
+TEST(BlockCheck, APairAndAnObstacleMayKeepLessThanOthersAndALineMoreThanThat) {
+  BlockRobot robot = test::plates(0.05);
+  Obstacle box;
+  box.shape = ObstacleShape::kBox;
+  box.size = Eigen::Vector3d(0.3, 0.3, 0.02);
+  box.pose.translation().z() = 0.1;
+  const BlockScene scene({box}), nothing;
+  const float from[1] = {0.1F}, step[1] = {0.3F}, still[1] = {0.0F};
+  const auto certain = [&](const BlockScene& of, const float* way, float slack) {
+    BlockCheck check(robot, of);
+    check.settle_pairs(true);
+    const bool proved = check.line_certain(from, way, slack);
+    if (slack == 0.0F) {
+      EXPECT_EQ(check.line_free(from, way, 4), proved);
+    }
+    return proved;
+  };
+  robot.grow = 0.020F;
+  EXPECT_TRUE(certain(scene, step, 0.0F));
+  EXPECT_TRUE(certain(scene, still, 0.0095F));
+  EXPECT_FALSE(certain(nothing, still, 0.0105F));
+  robot.grow = 0.040F;
+  EXPECT_FALSE(certain(nothing, step, 0.0F));
+  robot.kept_of_pairs = {0.0295F};
+  EXPECT_TRUE(certain(nothing, step, 0.0F));
+  EXPECT_FALSE(certain(scene, step, 0.0F));
+  robot.kept_of_shapes = {{0, 0, 0.0295F}, {1, 0, 0.0305F}};  // the lower plate's, and too much of the upper one's
+  EXPECT_FALSE(certain(scene, step, 0.0F));
+  robot.kept_of_shapes[1].kept = 0.0295F;
+  EXPECT_TRUE(certain(scene, step, 0.0F));
+  robot.kept_of_pairs = {0.0305F};
+  EXPECT_FALSE(certain(scene, step, 0.0F));
+}
+
 TEST(BlockCheck, TheNearestPointIsTheFirstOfTheNearest) {
   SplitMix64 random(4);
   std::vector<float> columns(3 * 32, 1e6F);

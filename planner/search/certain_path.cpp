@@ -1,4 +1,4 @@
-#include "test/oracles/certain_path.h"
+#include "planner/search/certain_path.h"
 
 #include <algorithm>
 #include <cstddef>

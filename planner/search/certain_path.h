@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "test/oracles/line_test.h"
+#include "planner/search/block_line_test.h"
 #include "planner/search/shorten.h"
 
 namespace twinbus {

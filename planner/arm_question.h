@@ -1,0 +1,41 @@
+// What an arm planner was asked, as it understands it.  For the files of ArmPlanner alone.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/math/index.h"
+#include "planner/arm_planner.h"
+#include "planner/joint_turns.h"
+#include "planner/search/free_space.h"
+#include "planner/timing/motion_effort.h"
+
+namespace twinbus {
+
+struct ArmPlanner::Question {
+  const ArmGoal* goal = nullptr;
+  const Configuration* start_posture = nullptr;
+  const Hand* hand = nullptr;
+  int base_link = 0;                                            // that the arm hangs on
+  Eigen::Isometry3d target;                                     // of the hand frame, in base_link
+  Eigen::Matrix3d base_in_world = Eigen::Matrix3d::Identity();  // how base_link is turned
+  JointPoint start;
+  JointTurns range;  // of the joints
+  JointPath goals;   // free postures that answer the goal
+  JointPath nearly;  // and some that barely miss it
+};
+
+// The planned joints of a posture.
+inline JointPoint pick(const Eigen::VectorXd& q, const std::vector<int>& joints) {
+  JointPoint point(static_cast<int>(joints.size()));
+  for (int k = 0; k < point.size(); ++k) point[k] = q[joints[at(k)]];
+  return point;
+}
+
+inline std::string too_heavy(const Model& model, const MotionEffort& effort, const char* where) {
+  return std::string(where) + " joint " + model.joints[at(effort.weak_joint())].name +
+         " would need more than its effort limit to hold the arm";
+}
+
+}  // namespace twinbus
