@@ -1,8 +1,12 @@
 #include "sim/articulated/richardson.h"
 
+#include <algorithm>
+
 namespace twinbus {
 
 namespace {
+
+constexpr double kLever = 0.1;  // at which a turn is looked at [m]
 
 // y += by (y - other), the attitude too.
 void lead(const Configuration& other, double by, Configuration& y) noexcept {
@@ -17,20 +21,29 @@ void lead(const Configuration& other, double by, Configuration& y) noexcept {
   y.base.linear() = attitude.normalized().toRotationMatrix();
 }
 
+double fastest_change(const Configuration& a, const Configuration& b) noexcept {
+  const Eigen::Vector3d turn = a.base_angular_velocity - b.base_angular_velocity;
+  double most = std::max((a.base_velocity - b.base_velocity).norm(), kLever * turn.norm());
+  if (a.qd.size() > 0) most = std::max(most, kLever * (a.qd - b.qd).lpNorm<Eigen::Infinity>());
+  return most;
+}
+
 }  // namespace
 
 void extrapolate_at_rest(const std::array<Configuration, 2>& coarse, Configuration& y) noexcept {
   lead(coarse[1], 2.0, y);
 }
 
-void extrapolate(int order, std::array<Configuration, 2>& coarse, Configuration& y) noexcept {
+double extrapolate(int order, std::array<Configuration, 2>& coarse, Configuration& y) noexcept {
   if (order == 2) {
+    const double correction = fastest_change(y, coarse[0]);
     lead(coarse[0], 1.0, y);
-    return;
+    return correction;
   }
   lead(coarse[1], 2.0, y);
   lead(coarse[0], 1.0, coarse[1]);
   lead(coarse[1], 0.5, y);
+  return fastest_change(y, coarse[1]) / 3.0;
 }
 
 }  // namespace twinbus

@@ -18,7 +18,9 @@ namespace twinbus {
 // from the finest two, 3 y3 - 2 y2, at order 3.
 void extrapolate_at_rest(const std::array<Configuration, 2>& coarse, Configuration& y) noexcept;
 
-// coarse: y1 and, at order 3, y2, which is spoilt.  y: the finest; becomes the result.
-void extrapolate(int order, std::array<Configuration, 2>& coarse, Configuration& y) noexcept;
+// coarse: y1 and, at order 3, y2, which is spoilt.  y: the finest; becomes the result.  Returns how much the last
+// correction changes a speed, turns looked at 0.1 m away [m/s]; that of order 3 is a third of what order 2 with the same
+// halves is off.
+double extrapolate(int order, std::array<Configuration, 2>& coarse, Configuration& y) noexcept;
 
 }  // namespace twinbus

@@ -102,12 +102,14 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
 }
 
 void ContactSolve::solve(Contacts& contacts, double h) noexcept {
+  gave_up_ = false;
   if (contacts.empty()) return;
   make_islands(contacts);
   for (std::size_t i = 0; i + 1 < starts_.size(); ++i) {
     members_ = order_.data() + starts_[i];
     member_count_ = starts_[i + 1] - starts_[i];
     solve_island(contacts, h);
+    if (gave_up_) return;
   }
 }
 
@@ -178,10 +180,25 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
   return std::sqrt(mismatch) <= kStageOne * total;
 }
 
+// As stage one has it, which must have looked at all of them.
+bool ContactSolve::come_to_touch(const Contacts& contacts) const noexcept {
+  bool touch = false;
+  for (int i = 0; i < member_count_; ++i) {
+    const Contact& c = contacts[at(members_[i])];
+    if (c.other_system >= 0) return false;
+    touch = touch || (c.tie == TieKind::kNone && !(c.depth > 0.0) && c.now.mode != ContactMode::kOpen);
+  }
+  return touch;
+}
+
 void ContactSolve::solve_island(Contacts& contacts, double h) noexcept {
   ++counters_.steps;
   if (stage_one_holds(contacts, h)) {
     ++counters_.one_pass;
+    return;
+  }
+  if (hurries_ && come_to_touch(contacts)) {
+    gave_up_ = true;
     return;
   }
   find_slots(contacts);
@@ -194,6 +211,11 @@ void ContactSolve::solve_island(Contacts& contacts, double h) noexcept {
   by_slope_ = false;
   if (!settled && in_pile_) settled = newton(contacts, h, kMostNewton, 0.0, merit);
   settled = settled || almost();
+  gave_up_ = hurries_ && !settled;
+  if (gave_up_) {
+    apply();
+    return;
+  }
   if (!settled) ++counters_.rounded;
   // The rounded law made sharp by tens; if that fails, in smaller stages.
   for (int attempt = 0; attempt < 2 && !settled; ++attempt) {

@@ -82,6 +82,10 @@ class ContactSolve {
   void fold(std::vector<Contact>& contacts, double h) noexcept;
   // After inward() and outward(); applies what is missing and runs outward() again if need be.
   void solve(std::vector<Contact>& contacts, double h) noexcept;
+  // From now on a solve is given up, its contacts not settled, where what did not touch the fixed world comes to touch it,
+  // or Newton's first attempt fails: for a step that is taken again in parts anyway.
+  void hurry(bool yes) noexcept { hurries_ = yes; }
+  bool gave_up() const noexcept { return gave_up_; }  // the last one
 
   const SolveCounters& counters() const noexcept { return counters_; }
 
@@ -109,6 +113,7 @@ class ContactSolve {
   int root_of(int system) noexcept;
   void solve_island(Contacts& contacts, double h) noexcept;
   bool stage_one_holds(Contacts& contacts, double h) const noexcept;
+  bool come_to_touch(const Contacts& contacts) const noexcept;
   void find_slots(Contacts& contacts) noexcept;
   void find_sequence() noexcept;
   int walk(int from) noexcept;
@@ -151,6 +156,7 @@ class ContactSolve {
   const int* members_ = nullptr;
   int member_count_ = 0;
 
+  bool hurries_ = false, gave_up_ = false;
   bool tied_ = false;              // there is a tie among the contacts
   int n_ = 0;                      // 6 per slot
   std::vector<int> slot_of_link_;  // -1: not touched

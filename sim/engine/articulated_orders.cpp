@@ -1,6 +1,7 @@
 // Orders 2 and 3 of ArticulatedWorld: steps of order 1 extrapolated, in parts where an event lies.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sim/engine/articulated_world.h"
@@ -11,22 +12,17 @@ namespace twinbus {
 namespace {
 
 constexpr double kStopSlack = 1e-9;  // [rad or m]
-// It is calm again where the last correction of an extrapolation changes no speed by more than this
-// times the step.
-constexpr double kCalm = 0.015;  // [m/s^2] and [rad/s^2]
+// It is calm again where the last correction of an extrapolation changes no speed by more than this times step^1.5: between
+// events errors fall with the square of the step, and with the step where they lie.
+constexpr double kCalm = 0.03;  // [m/s^2.5]
 // Steps in parts of one size, at most: motion may be lively without an event.
 constexpr int kMostHeld = 16;
-
-double fastest_change(const Configuration& a, const Configuration& b) noexcept {
-  return std::max({(a.qd - b.qd).lpNorm<Eigen::Infinity>(),
-                   (a.base_velocity - b.base_velocity).norm(),
-                   (a.base_angular_velocity - b.base_angular_velocity).norm()});
-}
 
 }  // namespace
 
 // Where an event lies within a step, the step is taken in ever smaller parts, which grow again from
-// step to step once it is calm: servos and ground that a landing has shaken ring on for a while.
+// part to part once all is calm, and from step to step once the robot is: servos and ground that a landing has shaken ring
+// on for a while.
 bool ArticulatedWorld::advance_in_parts() noexcept {
   work_ = 0.0;
   if (calm_ || ++held_ == kMostHeld) {
@@ -44,6 +40,7 @@ bool ArticulatedWorld::advance_in_parts() noexcept {
         break;
       case Outcome::kTaken:
         done += part_;
+        if (grows_ && done < kEventParts && done % (2 * part_) == 0) part_ *= 2;
         break;
     }
   }
@@ -59,6 +56,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   for (JointLaw& joint : joints_) joint.save();
   Momentum momentum;  // if nothing touches
   bool smooth = true, airborne = true;
+  double correction = 0.0;  // [m/s]
   bool moved = false;  // the body is placed elsewhere than at the start
   std::uint64_t expected = 0;
   std::array<double, 3> work{};  // of the servos in one, two and three parts [J]
@@ -66,6 +64,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
     if (parts > 1) go_back(std::exchange(moved, false));
     for (int i = 0; i < parts; ++i) {
       const bool goes_on = i + 1 < parts;
+      solve_.hurry(may_reject);
       const Outcome outcome = advance(h / parts, may_reject, goes_on);
       moved = moved || goes_on || floats();
       if (outcome == Outcome::kFailed && parts == config_.order) return Outcome::kFailed;
@@ -91,16 +90,12 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   }
   if (smooth) {
     next_ = configuration_;
-    extrapolate(config_.order, coarse_, configuration_);
-    // Of order 3 the last correction is a third of what order 2 with the same halves is off.
-    const double correction = config_.order == 2
-                                  ? fastest_change(configuration_, next_)
-                                  : fastest_change(configuration_, coarse_[1]) / 3.0;
-    calm_ = correction <= kCalm * config_.step;
+    correction = extrapolate(config_.order, coarse_, configuration_);
     smooth = check_configuration(joints_.size(), configuration_) == Status::kOk && within_stops();
     if (!smooth) configuration_ = next_;
   }
   if (!smooth) {
+    grows_ = false;
     if (!floats()) body_.place(configuration_);
     ++events_;
     work_ += work[at(config_.order - 1)];
@@ -108,7 +103,10 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   }
   const double second = 2.0 * work[1] - work[0];
   work_ += config_.order == 2 ? second : (3.0 * (3.0 * work[2] - 2.0 * work[1]) - second) / 2.0;
-  loose_.extrapolate(config_.order);
+  const double calm = kCalm * config_.step * std::sqrt(config_.step);
+  const double others = loose_.extrapolate(config_.order);
+  calm_ = correction <= calm;
+  grows_ = calm_ && others <= calm;
   airborne_ = airborne;
   place_after(momentum, h, 0.5);
   return Outcome::kTaken;

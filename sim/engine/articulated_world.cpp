@@ -15,6 +15,7 @@ constexpr std::size_t kMostPushes = 16;
 // Passes in which all joints change piece at once without fewer being wrong; then one at a time.
 constexpr int kPatience = 3;
 constexpr int kMostPasses = 60;
+constexpr double kNewtonWork = 0.3;  // of an iteration of Newton's, in passes over the links
 constexpr int kSettleParts = 256;  // of a step, at most
 constexpr std::uint64_t kNoContact = 0xcbf29ce484222325ULL;
 
@@ -350,12 +351,14 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
   int patience = kPatience;
   for (int pass = 0;; ++pass) {
     for (std::size_t j = 0; j < joints_.size(); ++j) rows_[j] = joints_[j].row();
+    ++solves_;
     if (!body_.inward(rows_, h) || !loose_.inward(h)) return false;
     body_.outward();
     loose_.outward();
     const long before = solve_.counters().unconverged;
     solve_.solve(contacts_, h);
-    converged_ = solve_.counters().unconverged == before;
+    converged_ = solve_.counters().unconverged == before && !solve_.gave_up();
+    if (solve_.gave_up()) return true;
     int wrong = others.wrong(h);
     std::size_t last = joints_.size();
     for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -434,6 +437,10 @@ void ArticulatedWorld::estimate_contact_forces() noexcept {
 
 double ArticulatedWorld::encoder(int joint) const noexcept {
   return configuration_.q[joint] + joints_[at(joint)].play();
+}
+
+double ArticulatedWorld::work() const noexcept {
+  return static_cast<double>(solves_) + kNewtonWork * static_cast<double>(solve_.counters().newton);
 }
 
 double ArticulatedWorld::tau(int joint) const noexcept { return joints_[at(joint)].tau(); }

@@ -60,6 +60,7 @@ class ArticulatedWorld final : public World {
   double encoder(int joint) const noexcept override;
   double tau(int joint) const noexcept override;
   double servo_work() const noexcept override { return work_; }
+  double work() const noexcept override;
   Eigen::Isometry3d link_in_world(int link) const noexcept override;
   Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
   Eigen::Vector3d angular_velocity(int link) const noexcept override;
@@ -159,6 +160,8 @@ class ArticulatedWorld final : public World {
   int part_ = kEventParts;  // of kEventParts: what is taken of a step at once
   int held_ = 0;            // steps in which it has not grown
   bool calm_ = true;        // it may
+  bool grows_ = false;      // within the step too
+  long solves_ = 0;         // passes over the links
   long joint_passes_ = 0;
   long unsettled_ = 0;
   long unconverged_ = 0;

@@ -159,13 +159,15 @@ bool OtherRobots::passes_stops(const Robot& robot) noexcept {
   return false;
 }
 
-void OtherRobots::extrapolate(int order) noexcept {
+double OtherRobots::extrapolate(int order) noexcept {
+  double correction = 0.0;
   for (Robot& robot : robots_) {
     robot.fine = robot.now;
-    twinbus::extrapolate(order, robot.coarse, robot.now);
+    correction = std::max(correction, twinbus::extrapolate(order, robot.coarse, robot.now));
     if (passes_stops(robot)) robot.now = robot.fine;
     robot.body.place(robot.now);
   }
+  return correction;
 }
 
 std::uint64_t OtherRobots::pattern(std::uint64_t pattern) const noexcept {

@@ -51,7 +51,7 @@ class OtherRobots {
   void save() noexcept;
   void restore() noexcept;
   void keep_coarse(int which) noexcept;
-  void extrapolate(int order) noexcept;
+  double extrapolate(int order) noexcept;  // returns the largest correction, as sim/articulated/richardson.h
   // Mixed with which pieces of their laws the joints are on.
   std::uint64_t pattern(std::uint64_t pattern) const noexcept;
 

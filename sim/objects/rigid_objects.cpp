@@ -233,8 +233,8 @@ void LooseBodies::keep_coarse(int which) noexcept {
 }
 
 // What has touched nothing is better as it is.
-void LooseBodies::extrapolate(int order) noexcept {
-  robots_.extrapolate(order);
+double LooseBodies::extrapolate(int order) noexcept {
+  double correction = robots_.extrapolate(order);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = bodies_[i];
     if (!body.ever) continue;
@@ -244,10 +244,11 @@ void LooseBodies::extrapolate(int order) noexcept {
     if (order == 3 && body.still > kLies) {
       extrapolate_at_rest(body.coarse, body.now);
     } else {
-      twinbus::extrapolate(order, body.coarse, body.now);
+      correction = std::max(correction, twinbus::extrapolate(order, body.coarse, body.now));
     }
     place(i);
   }
+  return correction;
 }
 
 }  // namespace twinbus

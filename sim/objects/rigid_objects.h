@@ -75,7 +75,7 @@ class LooseBodies {
   void save() noexcept;
   void restore() noexcept;
   void keep_coarse(int which) noexcept;
-  void extrapolate(int order) noexcept;
+  double extrapolate(int order) noexcept;  // returns the largest correction, as sim/articulated/richardson.h
 
  private:
   struct Body {

@@ -15,6 +15,7 @@ class ForwardingWorld : public World {
   double encoder(int joint) const noexcept override { return shown().encoder(joint); }
   double tau(int joint) const noexcept override { return shown().tau(joint); }
   double servo_work() const noexcept override { return shown().servo_work(); }
+  double work() const noexcept override { return shown().work(); }
   Eigen::Isometry3d link_in_world(int link) const noexcept override { return shown().link_in_world(link); }
   Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override {
     return shown().point_velocity(link, point);

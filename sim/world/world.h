@@ -155,9 +155,8 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  // Puts the robot there, at those speeds, thaws a frozen world and forgets contacts.  tau: of the
-  // servos until now, which says on which flank of their play they are; null: none.  An error
-  // changes nothing.
+  // Puts the robot there, at those speeds, thaws a frozen world and forgets contacts.  tau: of the servos until now, which
+  // says on which flank of their play they are; null: none.  An error changes nothing.
   virtual Status set(const Configuration& configuration,
                      const Eigen::VectorXd* tau = nullptr) noexcept = 0;
 
@@ -186,6 +185,7 @@ class World {
   virtual double encoder(int joint) const noexcept = 0;
   virtual double tau(int joint) const noexcept = 0;  // of the servo, no friction or rotor inertia
   virtual double servo_work() const noexcept { return kUnknown; }  // in the last step [J]
+  virtual double work() const noexcept { return kUnknown; }        // done since it was made, in solves: no clock is in it
   virtual Eigen::Isometry3d link_in_world(int link) const noexcept = 0;
   virtual Eigen::Vector3d point_velocity(int link,
                                          const Eigen::Vector3d& point) const noexcept = 0;  // world

@@ -362,6 +362,20 @@ TEST(ArticulatedWorld, ALandingWithinAStepIsFoundAndTakenInParts) {
   }
 }
 
+// One step of 0.2 s in which the block lands, then lies: what is tried in vain costs little, and small parts are for the
+// landing only.
+TEST(ArticulatedWorld, WhatFollowsALandingWithinALongStepIsTakenInLargeParts) {
+  const Model model = test::block();
+  ArticulatedWorld world(model, test::stepped(0.2, 2));
+  Configuration start(model);
+  start.base.translation().z() = 0.01;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_LT(world.configuration().base_velocity.norm(), 2e-3);
+  EXPECT_LT(world.counters().newton, 10);  // 17 if what comes to touch is solved for before the step is divided
+  EXPECT_LT(world.work(), 45.0);           // 50 if parts grow from step to step only
+}
+
 TEST(ArticulatedWorld, APushConvergesToWhatTheOtherEngineFinds) {
   const Eigen::Vector3d fine = pushed_block(Engine::kArticulated, 1e-5);
   const double error_2 = (pushed_block(Engine::kArticulated, 2e-3) - fine).norm();
