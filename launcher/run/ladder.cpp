@@ -25,6 +25,9 @@ constexpr double kParted = 1e-6;       // [m]: what converges parts by less than
 constexpr double kMargin = 1.3;        // of the error asked for
 constexpr double kAgreement = 2.0;     // of it the finest two runs agree to so small a part
 constexpr double kSecond = 3.0;        // times it order 2 may be off where they do
+constexpr double kWide = 1.6;          // two steps of which one is so many times the other have room for one between
+constexpr double kAlike = 1.1;         // two runs of which one is at most so many times the work of the other
+constexpr int kMostBetween = 4;        // steps between those of a ladder
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
 
@@ -139,6 +142,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   track.stopped = run.state().role == Role::kStopped;
   track.bands = run.bands();
   track.cost = run.physics_seconds();
+  track.work = run.world().work();
   track.all = thread_cpu_seconds() - begun;
   return track;
 }
@@ -162,11 +166,13 @@ double Ladder::estimate(std::size_t rung) const {
 namespace {
 bool same_method(const Rung& a, const Rung& b) { return a.order == b.order && a.less == b.less; }
 
-// The last run of order 2 that models everything; null: there is none.
+// The run of order 2 with the finest step that models everything; null: there is none.
 const Rung* finest_second(const std::vector<Rung>& rungs) {
-  const auto second = [](const Rung& rung) { return rung.order == 2 && rung.less.none(); };
-  const auto last = std::find_if(rungs.rbegin(), rungs.rend(), second);
-  return last == rungs.rend() ? nullptr : &*last;
+  const Rung* finest = nullptr;
+  for (const Rung& rung : rungs) {
+    if (rung.order == 2 && rung.less.none() && (finest == nullptr || rung.step < finest->step)) finest = &rung;
+  }
+  return finest;
 }
 }  // namespace
 
@@ -193,22 +199,22 @@ std::string Ladder::why_none_holds(double error) const {
   return why;
 }
 
+bool Ladder::holds(const Rung& rung, double error) const {
+  return std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
+    if (!same_method(finer, rung) || finer.step > rung.step) return true;
+    return finer.whole && finer.apart <= error / kMargin;
+  });
+}
+
 int Ladder::choose(double error) const {
   if (!proven(error)) return -1;
   int best = -1;
-  const auto holds = [&](const Rung& rung) {
-    return std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
-      if (!same_method(finer, rung) || finer.step > rung.step) return true;
-      return finer.whole && finer.apart <= error / kMargin;
-    });
-  };
   for (std::size_t i = 0; i < rungs.size(); ++i) {
-    const Rung& rung = rungs[i];
-    // A finer step of the same method is more work, whatever a busy machine measured.
-    const bool coarsest = std::none_of(rungs.begin(), rungs.end(), [&](const Rung& other) {
-      return same_method(other, rung) && other.step > rung.step && holds(other);
-    });
-    if (coarsest && holds(rung) && (best < 0 || rung.cost < rungs[at(best)].cost)) best = static_cast<int>(i);
+    if (!rungs[i].less.none() || !holds(rungs[i], error)) continue;
+    if (best < 0 || rungs[i].work < rungs[at(best)].work) best = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < rungs.size() && best >= 0; ++i) {
+    if (!rungs[i].less.none() && holds(rungs[i], error) && rungs[i].cost < rungs[at(best)].cost) best = static_cast<int>(i);
   }
   return best;
 }
@@ -243,6 +249,7 @@ Rung rung_of(int order, double step, const Track& track, const Track& yardstick,
   rung.order = order;
   rung.step = step;
   rung.cost = 1e3 * track.cost / duration;
+  rung.work = std::isfinite(track.work) ? track.work / duration : 1.0 / step;
   rung.apart = apart.most;
   rung.at = kEvery * static_cast<double>(apart.sample + 1);
   rung.body = track.names.empty() ? "" : track.names[apart.body];
@@ -297,15 +304,52 @@ void add_cheaper(const LadderRequest& request, const Run& run, double period, co
       const Rung* coarser = nullptr;
       for (const Rung& rung : ladder.rungs) coarser = rung.order == order ? &rung : coarser;
       const int chosen = ladder.choose(request.error);
-      const double likely = coarser->cost * coarser->step / step;
+      const double likely = coarser->work * coarser->step / step;
       if (chosen < 0 || ladder.rungs[at(chosen)].order <= order ||
-          !(likely < ladder.rungs[at(chosen)].cost) || quit_requested()) {
+          !(likely < ladder.rungs[at(chosen)].work) || quit_requested()) {
         break;
       }
       const Track track = run(at_rung(scene, order, step));
       const Rung finer = rung_of(order, step, track, tracks.back(), request.duration);
       ladder.rungs.insert(ladder.rungs.end() - 1, finer);
     }
+  }
+}
+
+// In how many parts of a control period to step next to what is chosen, between two steps of the ladder, where that may be
+// less work; 0: nowhere.  order: of it.
+int parts_between(const Ladder& ladder, double error, double period, int& order) {
+  const int chosen = ladder.choose(error);
+  if (chosen < 0) return 0;
+  const Rung& best = ladder.rungs[at(chosen)];
+  for (order = 1; order <= ladder.rungs.back().order; ++order) {
+    std::vector<const Rung*> runs;  // from coarse to fine
+    for (const Rung& rung : ladder.rungs) {
+      if (rung.order == order && rung.less.none()) runs.push_back(&rung);
+    }
+    std::sort(runs.begin(), runs.end(), [](const Rung* a, const Rung* b) { return a->step > b->step; });
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+      if (!ladder.holds(*runs[i + 1], error)) continue;
+      const bool chance = ladder.holds(*runs[i], error) ? std::max(runs[i]->work, runs[i + 1]->work) < kAlike * best.work
+                                                        : std::sqrt(runs[i]->work * runs[i + 1]->work) < best.work;
+      const double coarse = std::round(period / runs[i]->step), fine = std::round(period / runs[i + 1]->step);
+      const double between = std::round(std::sqrt(coarse * fine));
+      if (chance && fine >= kWide * coarse && between > coarse && between < fine) return static_cast<int>(between);
+    }
+  }
+  return 0;
+}
+
+template <class Run>
+void add_between(const LadderRequest& request, const Run& run, double period, const Scene& scene, const Track& yardstick,
+                 Ladder& ladder) {
+  for (int tried = 0; tried < kMostBetween && !quit_requested(); ++tried) {
+    int order = 0;
+    const int parts = parts_between(ladder, request.error, period, order);
+    if (parts == 0) return;
+    const double step = period / parts;
+    const Rung rung = rung_of(order, step, run(at_rung(scene, order, step)), yardstick, request.duration);
+    ladder.rungs.insert(ladder.rungs.end() - 1, rung);
   }
 }
 
@@ -367,6 +411,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
       break;
     }
   }
+  add_between(request, run, model.period(), scene, tracks.back(), ladder);
   ladder.moved = tracks.back().moved;
   if (request.less) leave_out(model, request, run, scene, tracks.back(), ladder);
   return ladder;

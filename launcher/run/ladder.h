@@ -2,10 +2,15 @@
 //
 // Two runs whose start differs by 1e-12 come first: what parts there has no converged answer, body
 // by body.  Then a ladder of orders 1, 2, 3 at ever finer steps until the finest two of order 3 agree
-// to half the error asked for and that of order 2 lies within three times it (after impacts two runs may agree by luck).  The last is the yardstick; then come finer steps of lower orders while one may be
-// cheaper than what is chosen so far.  Delivered is the cheapest run that lies
+// to half the error asked for and that of order 2 lies within three times it (after impacts two runs may agree by
+// luck).  The last is the yardstick; then come finer steps of lower orders while one may be cheaper than what is chosen
+// so far, and steps between those of the ladder next to the cheapest.  Delivered is the cheapest run that lies
 // within the error / 1.3 of the yardstick, together with all finer ones of its order.  Richardson's rule is not
 // used: where there are events it is wrong.
+//
+// Cheap is what takes little work as the engine counts it, in solves: what a clock says changes with the machine, and a
+// step that is divided where events lie may be more work than a finer one.  A run that leaves something out has cheaper
+// solves: of it the clock decides.
 //
 // With `fidelity: auto` what hardly moved in the yardstick is then left out of the run that was chosen (less.h), the most
 // that still holds the error, at that step and at the next finer one.
@@ -29,6 +34,7 @@ struct Track {
   std::vector<std::string> names;                // of the links and bodies
   Moved moved;
   double cost = 0.0;                             // CPU of the physics [s]
+  double work = 0.0;                             // of the engine, in solves; NaN: it does not count them
   double all = 0.0;                              // CPU of everything [s]
   bool whole = true;                             // the run did not end early
   bool stopped = false;                          // and not with its source stopped
@@ -50,6 +56,7 @@ struct Rung {
   int order = 1;
   double step = 0.0;     // [s]
   double cost = 0.0;     // CPU of the physics [ms per simulated s]
+  double work = 0.0;     // of the engine [solves per simulated s]
   double apart = 0.0;    // from the yardstick [m]
   double at = 0.0;       // where it is farthest [s]
   std::string body;      // and what
@@ -79,6 +86,8 @@ struct Ladder {
   bool proven(double error) const;
   // For people: why choose() finds none, nothing parted.
   std::string why_none_holds(double error) const;
+  // Whether a run and all finer ones of its order hold it.
+  bool holds(const Rung& rung, double error) const;
   // The cheapest that holds the error together with all finer ones of its order; -1: none does.
   int choose(double error) const;
   // The nearest to the yardstick that costs no more [ms per simulated s]; -1: none.

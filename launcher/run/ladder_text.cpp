@@ -56,10 +56,10 @@ bool read(std::istream& in, Moved& moved) {
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 8 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 9 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << written(ladder.agreement) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
-    text << r.order << ' ' << r.step << ' ' << r.cost << ' '
+    text << r.order << ' ' << r.step << ' ' << r.cost << ' ' << r.work << ' '
          << written(r.apart) << ' ' << r.at << ' ' << r.whole << ' '
          << written(r.bands.off) << ' ' << written(r.bands.gain) << ' ' << written(r.bands.rise) << ' '
          << written(r.bands.depth) << ' ' << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
@@ -82,7 +82,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder found;
   if (!(in >> word >> version >> rungs >> parted >> found.agreement >> found.cost) ||
-      word != "ladder" || version != 8 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 9 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
@@ -90,7 +90,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
     std::size_t held = 0, rigid = 0, still = 0, untouched = 0, aloft = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >>
+    if (!(in >> r.order >> r.step >> r.cost >> r.work >> r.apart >> r.at >> r.whole >>
           r.bands.off >> r.bands.gain >> r.bands.rise >> r.bands.depth >>
           held >> rigid >> still >> untouched >> aloft >>
           r.less.apart >> r.less.asleep))

@@ -12,7 +12,7 @@ import statistics
 import sys
 
 import stability_map
-from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
+from physics_lab import DURATION, Lab, call, cost_at, error, median_of, ratio, slope
 
 short_of = []
 rows = []
@@ -152,34 +152,57 @@ def push_of(lab, scene, rounds):
             cheaper(scene, wanted, least, peer, found)
 
 
-# As the ladder of `accuracy` (launcher/run/ladder.h): margin of the error asked for, and to what part of it the finest two runs agree.
-MARGIN, AGREEMENT = 1.3, 2.0
+# As the ladder of `accuracy` (launcher/run/ladder.h): margin of the error asked for, to what part of it the finest two runs
+# agree, from which ratio on two steps have room for one between, how many of those there are.
+MARGIN, AGREEMENT, WIDE, BETWEEN = 1.3, 2.0, 1.6, 4
 RUNGS = (1e-1, 4e-2, 2e-2, 1e-2, 4e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4)  # [s]
 
 
 def chosen_by_accuracy(orders, scene, wanted, read):
     """(engine, step, distance from the yardstick) that the ladder delivers for an error [m], or None.  orders: engines of order 1, 2, 3; read(engine,
-    step) is what a run ends with."""
-    ladder, last = {engine: [] for engine in orders}, None
+    step) is what a run ends with.  The least work is taken, in solves as the engine counts them."""
+    ladder, last = {engine: {} for engine in orders}, None
     for step in RUNGS:
         for engine in orders:
-            ladder[engine].append((step, read(engine, step)))
-        top = ladder[orders[-1]][-1][1]
+            ladder[engine][step] = read(engine, step)
+        top = ladder[orders[-1]][step]
         if last and top and error(last, top) <= wanted / AGREEMENT:
             break
         last = top
     else:
         return None
-    best = None
-    for engine in orders:
-        held = None
-        for step, run in reversed(ladder[engine]):  # together with all finer ones
-            if not run or error(run, top) > wanted / MARGIN:
+
+    def holding():
+        """(work, engine, step) of the runs that hold the error together with all finer ones of their order, and by engine the
+        step of the finest that does not."""
+        held, fails = [], {}
+        for engine in orders:
+            for step, run in sorted(ladder[engine].items()):
+                if not run or error(run, top) > wanted / MARGIN:
+                    fails[engine] = step
+                    break
+                held.append((run["work"], engine, step))
+        return held, fails
+
+    for _ in range(BETWEEN):
+        held, fails = holding()
+        if not held:
+            return None
+        least = min(work for work, _, _ in held)
+        for engine in orders:
+            own = [(work, step) for work, other, step in held if other is engine]
+            if not own or engine not in fails or not ladder[engine][fails[engine]]:
+                continue
+            (work, step), coarse = own[-1], fails[engine]
+            if math.sqrt(work * ladder[engine][coarse]["work"]) < least and coarse >= WIDE * step:
+                count = round(DURATION[scene] / math.sqrt(step * coarse))
+                ladder[engine][DURATION[scene] / count] = read(engine, DURATION[scene] / count)
                 break
-            held = (run["cost"], engine, step, error(run, top))
-        if held and (not best or held[0] < best[0]):
-            best = held
-    return best and best[1:]
+        else:
+            break
+    held, _ = holding()
+    _, engine, step = min(held, key=lambda each: each[0])
+    return engine, step, error(ladder[engine][step], top)
 
 
 def accuracy(lab, rounds):
@@ -219,7 +242,7 @@ def accuracy(lab, rounds):
             engine, step, distance = known[wanted]
             true = error(engine.run(scene, step, 1), finest)
             _, _, far, peer = found[0][wanted]
-            what = f"{scene} at {1e3 * wanted:g} mm: {engine.method} at {1e3 * step:g} ms"
+            what = f"{scene} at {1e3 * wanted:g} mm: {engine.method} at {1e3 * step:.3g} ms"
             at_most("accuracy", f"{what}, true error [mm]", 1e3 * wanted, 1e3 * true, unit="mm")
             at_least("accuracy", f"{what}, times cheaper than {peer.label}{', its curve extended' if far else ''}", asked,
                      statistics.median(costs[wanted][1] / costs[wanted][0] for costs in found), peer=peer.label,

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <limits>
+
+#include "test/sim/test_models.h"
 
 namespace twinbus {
 namespace {
@@ -16,7 +20,7 @@ Ladder ladder() {
     Rung r;
     r.order = order;
     r.step = step;
-    r.cost = cost;
+    r.cost = r.work = cost;
     r.apart = apart;
     r.bands = {2.0 * apart, 3.0 * apart, 4.0 * apart, 5.0 * apart};
     r.body = "link foot";
@@ -35,10 +39,52 @@ TEST(Ladder, TheCheapestIsTakenThatHoldsTogetherWithAllFinerOnes) {
   EXPECT_EQ(l.choose(2e-4), 2);   // order 2 at 2 ms does not; order 3 costs as much as the finer one of 2 does
 }
 
-TEST(Ladder, AFinerStepOfTheSameOrderIsNeverTakenForItsMeasuredTime) {
+TEST(Ladder, WorkDecidesAndNotWhatABusyMachineMeasured) {
   Ladder l = ladder();
-  l.rungs[4].cost = 5.0;  // order 2 at 1 ms, on a busy machine
+  l.rungs[4].cost = 5.0;  // order 2 at 1 ms
   EXPECT_EQ(l.choose(1e-3), 1);
+  l.rungs[4].work = 5.0;  // at 2 ms it is divided at an impact
+  EXPECT_EQ(l.choose(1e-3), 4);
+  l.rungs[4].apart = 2e-3;  // then order 2 at 2 ms holds by luck
+  EXPECT_EQ(l.choose(1e-3), 2);
+}
+
+// Runs of a scene whose error is 0.4 mm (parts)^-order, after so many solves a second.
+Ladder climbed(double error, const std::function<double(int order, int parts)>& work) {
+  const Model model = test::block();
+  LadderRequest request;
+  request.duration = 0.1;
+  request.error = error;
+  request.follow = [&](const Scene& scene) {
+    int order = 1;
+    for (const auto& [key, value] : scene.settings) order = key == "solver.order" ? std::stoi(value) : order;
+    const int parts = static_cast<int>(std::lround(model.period() / scene.step));
+    Track track;
+    track.names = {"link block"};
+    const double off = 4e-4 * std::pow(parts, -order);
+    track.at.assign(5, {Eigen::Vector3d(0.0, 0.0, off)});
+    track.work = request.duration * work(order, parts);
+    return track;
+  };
+  return climb(model, Scene{}, {}, request);
+}
+
+TEST(Ladder, AStepBetweenThoseOfTheLadderIsTriedWhereItMayBeLessWork) {
+  const auto even = [](int order, int parts) { return order * (order + 1) / 2.0 * parts; };
+  const Ladder l = climbed(2e-4, even);
+  const Rung& chosen = l.rungs.at(static_cast<std::size_t>(l.choose(2e-4)));
+  EXPECT_EQ(chosen.order, 1);
+  EXPECT_EQ(std::lround(Model{}.period() / chosen.step), 3);
+}
+
+TEST(Ladder, AFinerStepIsTakenWhereACoarserOneIsDividedMore) {
+  const auto divided = [](int order, int parts) {
+    return order == 2 ? (parts == 1 ? 40.0 : 10.0 * parts) : 50.0 * order * parts;
+  };
+  const Ladder l = climbed(6e-4, divided);
+  const Rung& chosen = l.rungs.at(static_cast<std::size_t>(l.choose(6e-4)));
+  EXPECT_EQ(chosen.order, 2);
+  EXPECT_EQ(std::lround(Model{}.period() / chosen.step), 2);
 }
 
 TEST(Ladder, NothingIsChosenThatTheYardstickDoesNotProve) {
@@ -57,6 +103,9 @@ TEST(Ladder, TwoRunsThatAgreeProveNothingWhileOrderTwoIsFarOff) {
   l.rungs[4].apart = 83e-3;
   EXPECT_TRUE(l.proven(3e-2));
   EXPECT_FALSE(l.proven(1e-2));
+  std::swap(l.rungs[1], l.rungs[4]);  // in whatever order they were run
+  EXPECT_FALSE(l.proven(1e-2));
+  std::swap(l.rungs[1], l.rungs[4]);
   EXPECT_EQ(l.choose(1e-2), -1);
   EXPECT_EQ(l.why_none_holds(1e-2),
             "no order and step holds 10 mm: order 2 at 1 ms is off by 83 mm while the finest two runs agree to 0.1 mm, "
