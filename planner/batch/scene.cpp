@@ -40,7 +40,9 @@ void bounds(const BlockShape& s, int i, float& low, float& high) {
 
 BlockScene::BlockScene(const std::vector<Obstacle>& obstacles) {
   for (const Obstacle& obstacle : obstacles) {
+    const std::size_t before = shapes.size();
     if (obstacle.hand < 0) add(obstacle);
+    shape_of.push_back(shapes.size() > before ? static_cast<int>(before) : -1);
   }
   finish();
 }

@@ -30,6 +30,7 @@ class BlockScene {
   void finish();  // after the last one
 
   std::vector<BlockShape> shapes;
+  std::vector<int> shape_of;  // of each obstacle that it was made of; -1: it was left out
   std::vector<float> low[3], high[3];  // filled up to a multiple of 8 with boxes that hold nothing
 };
 

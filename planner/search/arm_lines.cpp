@@ -78,15 +78,13 @@ JointPoint from_search(const SearchPoint& q, int joints) {
 ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collision,
                    const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles)
     : exact_(&exact),
+      scene_(obstacles),
       robot_(compile_robot(model, exact.posture(), exact.joints(), groups,
                            pairs_of(model, collision, groups), exact.clearance())),
       check_(robot_, scene_) {
-  for (const Obstacle& obstacle : obstacles) {
-    const std::size_t before = scene_.shapes.size();
-    if (obstacle.hand < 0) scene_.add(obstacle);
-    if (takes_part(obstacle, model)) shape_of_.push_back(scene_.shapes.size() > before ? static_cast<int>(before) : -1);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (takes_part(obstacles[i], model)) shape_of_.push_back(scene_.shape_of[i]);
   }
-  scene_.finish();
   keep_less_at_ends(model, groups);
   check_.settle_pairs(true);
   check_.settle_by_pieces(true);
