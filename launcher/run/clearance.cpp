@@ -31,7 +31,7 @@ Clearance::Clearance(const Model& model, const WorldConfig& config)
   if (config.loose.empty() && config.robots.empty()) return;
   own_ = balls_of(model);
   for (const OtherRobot& robot : config.robots) robots_.push_back(balls_of(*robot.model));
-  for (const LooseBody& body : config.loose) loose_.push_back(body.solid_pose.translation().norm() + bounding_radius(body.solid));
+  for (const LooseBody& body : config.loose) loose_.push_back({body.solid, body.solid_pose});
   nearest_.assign(model.links.size(), std::numeric_limits<double>::infinity());
 }
 
@@ -41,14 +41,16 @@ void Clearance::look(const World& world) {
     const Ball& ball = own_.links[i];
     if (ball.radius < 0.0) continue;
     const Eigen::Vector3d center = world.link_in_world(static_cast<int>(i)) * ball.center;
-    const auto meet = [&](const Eigen::Vector3d& other, double radius) {
-      nearest_[i] = std::min(nearest_[i], (center - other).norm() - ball.radius - radius);
-    };
-    for (std::size_t k = 0; k < loose_.size(); ++k) meet(world.loose(static_cast<int>(k)).pose.translation(), loose_[k]);
+    const auto meet = [&](double distance) { nearest_[i] = std::min(nearest_[i], distance - ball.radius); };
+    for (std::size_t k = 0; k < loose_.size(); ++k) {
+      const Eigen::Isometry3d pose = world.loose(static_cast<int>(k)).pose * loose_[k].in_body;
+      meet(distance_to(loose_[k].solid, pose.inverse() * center).value);
+    }
     for (std::size_t r = 0; r < robots_.size(); ++r) {
       for (std::size_t l = 0; l < robots_[r].links.size(); ++l) {
         const Ball& of = robots_[r].links[l];
-        if (of.radius >= 0.0) meet(world.robot_link(static_cast<int>(r), static_cast<int>(l)) * of.center, of.radius);
+        if (of.radius < 0.0) continue;
+        meet((world.robot_link(static_cast<int>(r), static_cast<int>(l)) * of.center - center).norm() - of.radius);
       }
     }
   }

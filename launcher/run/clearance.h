@@ -7,13 +7,15 @@
 #include "geometry/shapes.h"
 #include "robot/description/model.h"
 #include "sim/contact/ground_contacts.h"
+#include "sim/world/solid.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
 
 class Clearance {
  public:
-  // Of the shapes of links balls are taken, of loose bodies too: at a look what is found is never too far.
+  // Of the shapes of links balls are taken, of loose bodies their solid or the box around their triangles: what a look
+  // finds is never too far.
   // Throws std::runtime_error where a mesh cannot be read.
   Clearance(const Model& model, const WorldConfig& config);
   void look(const World& world);
@@ -30,7 +32,11 @@ class Clearance {
 
   RobotBalls own_;
   std::vector<RobotBalls> robots_;
-  std::vector<double> loose_;  // radii [m]
+  struct LooseSolid {
+    Solid solid;
+    Eigen::Isometry3d in_body;
+  };
+  std::vector<LooseSolid> loose_;
   std::vector<double> nearest_, above_;
   GroundContacts ground_;
 };

@@ -8,8 +8,10 @@
 #include <functional>
 #include <limits>
 
+#include "launcher/run/clearance.h"
 #include "launcher/run/ladder.h"
 #include "robot/description/load.h"
+#include "sim/engine/make_world.h"
 
 namespace twinbus {
 namespace {
@@ -201,6 +203,30 @@ TEST(Less, LooseBodiesThatLieStillMaySleep) {
   EXPECT_TRUE(more[0].asleep && more[0].held.size() == 1);
   EXPECT_TRUE(more[1].asleep && more[1].held.empty());
   EXPECT_FALSE(more[2].asleep);
+}
+
+// A plate is flat: what is above it is as far from it as it is high.
+TEST(Less, LinksAboveAPlateAreClearOfIt) {
+  const Model model = load_robot("hrp1s");
+  WorldConfig config;
+  LooseBody plate;
+  plate.solid.size = {1.0, 1.0, 0.01};
+  plate.start.pose.translation() = Eigen::Vector3d(0.2, 0.1, -0.5);
+  plate.start.pose.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  plate.solid_pose.translation().z() = 0.2;
+  config.loose = {plate};
+  const auto world = make_world(model, config);
+  Clearance clearance(model, config);
+  clearance.look(*world);
+  bool any = false;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const double above = world->link_in_world(static_cast<int>(i)).translation().z() + 0.295;
+    if (!std::isfinite(clearance.nearest()[i]) || above < 0.5) continue;
+    any = true;
+    EXPECT_GT(clearance.nearest()[i], 0.1) << model.links[i].name;  // a ball around the plate is 0.7 m wide
+    EXPECT_LE(clearance.nearest()[i], above + 0.3) << model.links[i].name;
+  }
+  EXPECT_TRUE(any);
 }
 
 TEST(Less, WhatASceneLeavesOutItselfStaysOut) {
