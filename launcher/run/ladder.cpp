@@ -298,20 +298,20 @@ template <class Run>
 void add_cheaper(const LadderRequest& request, const Run& run, double period, const Scene& scene,
                  std::vector<Track>& tracks, Ladder& ladder) {
   for (int order = 1; order < ladder.rungs.back().order; ++order) {
-    for (const int parts : kParts) {
-      const double step = period / parts;
-      if (!(step < 0.75 * ladder.rungs.back().step)) continue;
+    for (const int next : kParts) {
+      if (!(period / next < 0.75 * ladder.rungs.back().step)) continue;
       const Rung* coarser = nullptr;
       for (const Rung& rung : ladder.rungs) coarser = rung.order == order ? &rung : coarser;
       const int chosen = ladder.choose(request.error);
-      const double likely = coarser->work * coarser->step / step;
-      if (chosen < 0 || ladder.rungs[at(chosen)].order <= order ||
-          !(likely < ladder.rungs[at(chosen)].work) || quit_requested()) {
-        break;
-      }
+      if (chosen < 0 || ladder.rungs[at(chosen)].order <= order || quit_requested()) break;
+      const double before = std::round(period / coarser->step), most = ladder.rungs[at(chosen)].work / coarser->work * before;
+      const double parts = next < most ? next : std::round(std::sqrt(before * next));
+      if (!(parts < most && parts > before)) break;
+      const double step = period / parts;
       const Track track = run(at_rung(scene, order, step));
       const Rung finer = rung_of(order, step, track, tracks.back(), request.duration);
       ladder.rungs.insert(ladder.rungs.end() - 1, finer);
+      if (parts < next) break;
     }
   }
 }

@@ -56,7 +56,7 @@ bool read(std::istream& in, Moved& moved) {
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 10 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 11 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << written(ladder.agreement) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
     text << r.order << ' ' << r.step << ' ' << r.cost << ' ' << r.work << ' '
@@ -82,7 +82,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder found;
   if (!(in >> word >> version >> rungs >> parted >> found.agreement >> found.cost) ||
-      word != "ladder" || version != 10 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 11 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };

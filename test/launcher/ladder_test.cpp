@@ -77,6 +77,14 @@ TEST(Ladder, AStepBetweenThoseOfTheLadderIsTriedWhereItMayBeLessWork) {
   EXPECT_EQ(std::lround(Model{}.period() / chosen.step), 3);
 }
 
+// The next step of the ladder would be more work than order 2 is, one before it is less.
+TEST(Ladder, AFinerStepOfALowerOrderIsTriedAsFarAsItMayBeLessWork) {
+  const Ladder l = climbed(9e-5, [](int order, int parts) { return (order == 1 ? 1.0 : order == 2 ? 2.2 : 20.0) * parts; });
+  const Rung& chosen = l.rungs.at(static_cast<std::size_t>(l.choose(9e-5)));
+  EXPECT_EQ(chosen.order, 1);
+  EXPECT_EQ(std::lround(Model{}.period() / chosen.step), 6);
+}
+
 TEST(Ladder, AFinerStepIsTakenWhereACoarserOneIsDividedMore) {
   const auto divided = [](int order, int parts) {
     return order == 2 ? (parts == 1 ? 40.0 : 10.0 * parts) : 50.0 * order * parts;
