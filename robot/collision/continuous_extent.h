@@ -2,8 +2,8 @@
 
 constexpr unsigned kAllLanes = 0xFF;
 
-// What stands for a hull: the ball inside of it, which reaches nowhere farther; the box around it; its corners.
-enum class HullBy { kInside, kBox, kCorners };
+// What stands for a hull: the ball inside of it, which reaches nowhere farther, or the box around it.
+enum class HullBy { kInside, kBox };
 
 // Of directions, as support_cells.h numbers them.
 TWINBUS_INLINE I8 support_cells8(const F8 (&d)[3]) noexcept {
@@ -37,43 +37,37 @@ TWINBUS_INLINE F8 extent8(const SweptPart& part, const F8 (&in)[3], float sign, 
     return root(in[0] * in[0] + in[1] * in[1]) * part.half[0] + size(in[2]) * part.half[1];
   if (hulls == HullBy::kBox || part.corners == 0)
     return size(in[0]) * part.half[0] + size(in[1]) * part.half[1] + size(in[2]) * part.half[2];
-  if (hulls == HullBy::kInside) {
-    const float* c = part.inside;
-    return (in[0] * c[0] + in[1] * c[1] + in[2] * c[2]) * sign + part.inside_radius;
-  }
-  const F8 d[3] = {in[0] * sign, in[1] * sign, in[2] * sign};
-  F8 far[4] = {all(-1e9F), all(-1e9F), all(-1e9F), all(-1e9F)};
-  if (part.cell == nullptr) {
-    reach_corners8(part, d, part.corners, [](int k) { return k; }, far);
-  } else {  // every cell that a lane is in, for all lanes: others' corners do no harm
-    const I8 cells = support_cells8(d);
-    for (unsigned left = kAllLanes; left != 0;) {
-      const int cell = cells[lowest(left)];
-      left &= ~bits(cells == cell);
-      const std::uint16_t* row = part.cell + part.cell[cell];
-      reach_corners8(part, d, part.cell[cell + 1] - part.cell[cell], [row](int k) { return static_cast<int>(row[k]); }, far);
-    }
-  }
-  return most(most(far[0], far[1]), most(far[2], far[3]));
+  const float* c = part.inside;
+  return (in[0] * c[0] + in[1] * c[1] + in[2] * c[2]) * sign + part.inside_radius;
 }
 
-// The same by corners at one place.
-TWINBUS_INLINE float extent_at(const SweptPart& part, const F8 (&in)[3], float sign, int place) noexcept {
-  if (part.corners == 0) return extent8(part, in, sign, HullBy::kBox)[place];
-  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
-  if (part.cell != nullptr) {
-    const F8 d[3] = {in[0] * sign, in[1] * sign, in[2] * sign};
-    const int cell = support_cells8(d)[place];
-    const float n[3] = {d[0][place], d[1][place], d[2][place]};
-    float reach = -1e9F;
-    for (const std::uint16_t* c = part.cell + part.cell[cell]; c != part.cell + part.cell[cell + 1]; ++c) {
-      const float along = n[0] * x[*c] + n[1] * y[*c] + n[2] * z[*c];
-      reach = along > reach ? along : reach;
-    }
-    return reach;
+// How far a hull reaches along directions by its corners, found cell by cell.
+struct CornerReach8 {
+  F8 d[3];
+  I8 cell;            // that a lane is in
+  unsigned done = 0;  // lanes that all corners of their cells were looked at for
+  F8 far[4] = {all(-1e9F), all(-1e9F), all(-1e9F), all(-1e9F)};
+};
+TWINBUS_INLINE CornerReach8 corner_reach8(const SweptPart& part, const F8 (&in)[3], float sign) noexcept {
+  CornerReach8 reach{{in[0] * sign, in[1] * sign, in[2] * sign}, {}};
+  if (part.cell != nullptr) reach.cell = support_cells8(reach.d);
+  return reach;
+}
+// As extent8 at these lanes and all that were asked for before; no more than that at others.  Corners of a cell are looked at
+// for all lanes, as others' corners do no harm.
+TWINBUS_INLINE F8 extent_by_corners8(const SweptPart& part, const F8 (&in)[3], unsigned lanes,
+                                     CornerReach8& reach) noexcept {
+  if (part.corners == 0) return extent8(part, in, 1.0F, HullBy::kBox);
+  if (part.cell == nullptr && reach.done == 0) {
+    reach_corners8(part, reach.d, part.corners, [](int k) { return k; }, reach.far);
+    reach.done = kAllLanes;
   }
-  F8 far = all(-1e9F);
-  for (int k = 0; k < part.corners; k += 8)
-    far = most(far, (in[0][place] * load8(x + k) + in[1][place] * load8(y + k) + in[2][place] * load8(z + k)) * sign);
-  return largest(far);
+  for (unsigned left = lanes & ~reach.done; left != 0; left &= ~reach.done) {
+    const int cell = reach.cell[lowest(left)];
+    reach.done |= bits(reach.cell == cell);
+    const std::uint16_t* of_cell = part.cell + part.cell[cell];
+    const auto which = [of_cell](int k) { return static_cast<int>(of_cell[k]); };
+    reach_corners8(part, reach.d, part.cell[cell + 1] - part.cell[cell], which, reach.far);
+  }
+  return most(most(reach.far[0], reach.far[1]), most(reach.far[2], reach.far[3]));
 }

@@ -144,10 +144,17 @@ TWINBUS_INLINE F8 gaps8(const SweptTables& t, const SweptPair& pair, const Along
          extent8(t.part[pair.b], along.in_b, -1.0F, hulls);
 }
 
-// The same by corners at one place.
-TWINBUS_INLINE float gap_at(const SweptTables& t, const SweptPair& pair, const Along8& along, int place) noexcept {
-  return along.apart[place] - extent_at(t.part[pair.a], along.in_a, 1.0F, place) -
-         extent_at(t.part[pair.b], along.in_b, -1.0F, place);
+// The same by corners, of these lanes and those that were asked for before; at others no less than it is.
+struct CornerGaps8 {
+  CornerReach8 a, b;
+};
+TWINBUS_INLINE CornerGaps8 corner_gaps8(const SweptTables& t, const SweptPair& pair, const Along8& along) noexcept {
+  return {corner_reach8(t.part[pair.a], along.in_a, 1.0F), corner_reach8(t.part[pair.b], along.in_b, -1.0F)};
+}
+TWINBUS_INLINE F8 gaps_of(const SweptTables& t, const SweptPair& pair, const Along8& along, unsigned lanes,
+                          CornerGaps8& by) noexcept {
+  return along.apart - extent_by_corners8(t.part[pair.a], along.in_a, lanes, by.a) -
+         extent_by_corners8(t.part[pair.b], along.in_b, lanes, by.b);
 }
 
 static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* left_out,
@@ -157,7 +164,9 @@ static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* left
 }
 static void pair_gaps(const SweptTables& t, const SweptPair& pair, const float* n0,
                       float* gaps) noexcept {
-  store8(gaps, gaps8(t, pair, along8(t, pair, n0), HullBy::kCorners));
+  const Along8 along = along8(t, pair, n0);
+  CornerGaps8 by = corner_gaps8(t, pair, along);
+  store8(gaps, gaps_of(t, pair, along, kAllLanes, by));
 }
 // Farther apart than the balls inside of them shapes are not.
 static void pair_most_apart(const SweptTables& t, const SweptPair& pair, float* most_apart) noexcept {

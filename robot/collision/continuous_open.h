@@ -25,8 +25,26 @@ TWINBUS_INLINE bool outlasts(const SweptTables& t, const SweptPair& pair, F8 gap
   return bits(between >= left.from_base) == kAllLanes || bits(between >= less_left_out(t, pair, left)) == kAllLanes;
 }
 
-// Boxes first, which part most; then balls inside of hulls: what they rule out no corner can mend; then corners where boxes
-// leave least.
+// Do corners leave enough where boxes do not?  First those that matter where boxes leave least: what they rule out more corners
+// cannot mend.
+TWINBUS_INLINE bool corners_part(const SweptTables& t, const SweptPair& pair, const Along8& along, F8 box, float margin,
+                                 float clear, F8 left_out) noexcept {
+  const F8 before = __builtin_shufflevector(left_out, left_out, 0, 0, 1, 2, 3, 4, 5, 6);
+  const auto lacks = [&](F8 gap) {
+    return kAllLanes & ~bits((gap >= margin) & (gap - clear >= left_out) & (gap - clear >= before));
+  };
+  const F8 next = with_next(box), room = least(box - margin, next - (left_out + clear));
+  int place = lowest(bits(room <= -largest(-room)));
+  if ((bits(next < box) >> place & 1U) != 0) ++place;
+  CornerGaps8 by = corner_gaps8(t, pair, along);
+  const unsigned needed = lacks(box);
+  for (const unsigned lanes : {1U << place, needed}) {
+    if ((lacks(gaps_of(t, pair, along, lanes, by)) & needed) != 0) return false;
+  }
+  return true;
+}
+
+// Boxes first, which part most; then balls inside of hulls: what they rule out no corner can mend; then corners.
 TWINBUS_INLINE bool parts_all_along(const SweptTables& t, const SweptPair& pair, const float* n0,
                                     float margin, float clear, LeftOut8& left) noexcept {
   const Along8 along = along8(t, pair, n0);
@@ -35,13 +53,7 @@ TWINBUS_INLINE bool parts_all_along(const SweptTables& t, const SweptPair& pair,
   const F8 box = gaps8(t, pair, along, HullBy::kBox);
   if (parts(box)) return true;
   if (!hulls || !parts(gaps8(t, pair, along, HullBy::kInside))) return false;
-  const F8 needed = less_left_out(t, pair, left) + clear, room = least(box - margin, with_next(box) - needed);
-  int place = 0;
-  for (int k = 1; k < 8; ++k) place = room[k] < room[place] ? k : place;
-  if (place < 7 && box[place + 1] < box[place]) ++place;
-  const float gap = gap_at(t, pair, along, place), before = place > 0 ? left.either[place - 1] : 0.0F;
-  if (!(gap >= margin && gap - clear >= left.either[place] && gap - clear >= before)) return false;
-  return parts(gaps8(t, pair, along, HullBy::kCorners));
+  return corners_part(t, pair, along, box, margin, clear, less_left_out(t, pair, left));
 }
 
 // Does the direction that is remembered, or the one that is seen, part them?  That one is remembered then.
