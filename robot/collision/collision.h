@@ -101,7 +101,8 @@ class Collision {
     unsigned open = 0;                          // ways to the next place that are not proved
     unsigned asked = 0, far = 0, hopeless = 0;  // places; places; ways that places cannot prove
     double best = 0.0;                          // least gap along the direction that said most [m]
-    SweptShapes::AtPlaces least, left_out;      // of the distance, at least [m]
+    SweptShapes::AtPlaces least;                // of the distance, at least [m]
+    SweptShapes::AtPlaces left_out, travel;     // as SweptShapes has them
   };
   // From now on only those shapes are looked at that may come nearer than `margin` [m] when no joint
   // moves farther than `moves` from the posture of the last near_pairs that had `ahead`, which is still

@@ -104,8 +104,8 @@ struct Collision::Impl {
   int nearest(std::span<NearShapes::Candidate> candidates, double near, int enough, double all,
               PairDistance* pairs, int capacity) noexcept;
   void know(NearShapes::Candidate& candidate, double at_least) noexcept;
-  void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept;
-  void note_hopeless(OnWay& pair) const noexcept;
+  static void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) noexcept;
+  static void note_hopeless(OnWay& pair, const SweptShapes::AtPlaces& most) noexcept;
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
 };
 

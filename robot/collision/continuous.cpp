@@ -433,33 +433,12 @@ SweptShapes::AtPlaces SweptShapes::gaps(int pair, const Eigen::Vector3d& directi
   return result;
 }
 
-SweptShapes::AtPlaces SweptShapes::gaps(int pair) const noexcept {
+SweptShapes::Bounds SweptShapes::bounds(int pair) const noexcept {
   const InstructionSet set = impl_->set;
-  const SweptPair& p = impl_->pairs[at(pair)];
-  AtPlaces result;
-  TWINBUS_SWEPT(pair_gaps(impl_->tables, p, p.n, result.data()));
-  return result;
-}
-
-SweptShapes::AtPlaces SweptShapes::left_out(int pair) const noexcept {
-  const InstructionSet set = impl_->set;
-  AtPlaces result;
-  TWINBUS_SWEPT(pair_bounds(impl_->tables, impl_->pairs[at(pair)], result.data(), nullptr));
-  return result;
-}
-
-SweptShapes::AtPlaces SweptShapes::most_apart(int pair) const noexcept {
-  const InstructionSet set = impl_->set;
-  AtPlaces result;
-  TWINBUS_SWEPT(pair_most_apart(impl_->tables, impl_->pairs[at(pair)], result.data()));
-  return result;
-}
-
-SweptShapes::AtPlaces SweptShapes::travel(int pair) const noexcept {
-  const InstructionSet set = impl_->set;
-  AtPlaces result;
-  TWINBUS_SWEPT(pair_bounds(impl_->tables, impl_->pairs[at(pair)], nullptr, result.data()));
-  return result;
+  Bounds b;
+  TWINBUS_SWEPT(pair_bounds(impl_->tables, impl_->pairs[at(pair)], b.gaps.data(), b.left_out.data(), b.most_apart.data(),
+                            b.travel.data()));
+  return b;
 }
 
 }  // namespace twinbus

@@ -70,9 +70,7 @@ class SweptShapes {
            int capacity) noexcept;
 
   // Of a pair: its shapes; where one is; the gaps at all places along a direction (world, from a to b)
-  // that is seen at one of them, which is remembered when it says more than the last; what the way
-  // from each place to the next takes off the smaller of the two gaps; by how much it can bring the
-  // shapes together.
+  // that is seen at one of them, which is remembered when it says more than the last.
   struct Shapes {
     int a = 0, b = 0;
   };
@@ -81,10 +79,13 @@ class SweptShapes {
   Eigen::Vector3d remembered(int pair, int place) const noexcept;  // world; zero: nothing is
   void remember(int pair, const Eigen::Vector3d& direction, int place) noexcept;
   AtPlaces gaps(int pair, const Eigen::Vector3d& direction, int place) const noexcept;
-  AtPlaces gaps(int pair) const noexcept;  // along the direction that is remembered
-  AtPlaces left_out(int pair) const noexcept;
-  AtPlaces most_apart(int pair) const noexcept;  // the shapes are no farther apart at the places
-  AtPlaces travel(int pair) const noexcept;
+  struct Bounds {
+    AtPlaces gaps;        // along the direction that is remembered
+    AtPlaces left_out;    // what the way from each place to the next takes off the smaller of the two gaps
+    AtPlaces most_apart;  // the shapes are no farther apart at the places
+    AtPlaces travel;      // by how much the way to the next can bring them together
+  };
+  Bounds bounds(int pair) const noexcept;
 
  private:
   struct Impl;

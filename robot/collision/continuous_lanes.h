@@ -157,19 +157,19 @@ TWINBUS_INLINE F8 gaps_of(const SweptTables& t, const SweptPair& pair, const Alo
          extent_by_corners8(t.part[pair.b], along.in_b, lanes, by.b);
 }
 
-static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* left_out,
-                        float* travel) noexcept {
-  if (left_out != nullptr) store8(left_out, pair_left_out(t, pair));
-  if (travel != nullptr) store8(travel, pair_travel(t, pair));
-}
 static void pair_gaps(const SweptTables& t, const SweptPair& pair, const float* n0,
                       float* gaps) noexcept {
   const Along8 along = along8(t, pair, n0);
   CornerGaps8 by = corner_gaps8(t, pair, along);
   store8(gaps, gaps_of(t, pair, along, kAllLanes, by));
 }
-// Farther apart than the balls inside of them shapes are not.
-static void pair_most_apart(const SweptTables& t, const SweptPair& pair, float* most_apart) noexcept {
+// All that is known of a pair before anything is measured: rows of eight.
+static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* gaps, float* left_out, float* most_apart,
+                        float* travel) noexcept {
+  pair_gaps(t, pair, pair.n, gaps);
+  store8(left_out, pair_left_out(t, pair));
+  store8(travel, pair_travel(t, pair));
+  // Farther apart than the balls inside of them shapes are not.
   F8 way[3] = {}, far2 = all(0.0F);
   for (const int part : {pair.a, pair.b}) {
     const Pose8 p = pose8(t.part_pose + 96 * part);

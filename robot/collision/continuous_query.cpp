@@ -2,6 +2,7 @@
 // is proved to stay apart.
 
 #include <algorithm>
+#include <limits>
 
 #include "robot/collision/collision_impl.h"
 #include "geometry/distance/convex_shape.h"
@@ -27,6 +28,7 @@ constexpr double kRounding = 5e-6;   // of where shapes are in single precision 
 
 bool has(unsigned bits, int k) { return (bits >> static_cast<unsigned>(k) & 1U) != 0; }
 unsigned only(int k) { return 1U << static_cast<unsigned>(k); }
+unsigned if_so(bool is, int k) { return static_cast<unsigned>(is) << static_cast<unsigned>(k); }
 double number(float x) { return static_cast<double>(x); }
 
 // The place to measure next: where they may be nearest of those that may still say something, or -1.
@@ -34,8 +36,11 @@ int next_place(const Collision::OnWay& pair) noexcept {
   const unsigned useful = pair.open & ~pair.hopeless;
   const unsigned worth = (~pair.far | useful | useful << 1U) & ~pair.asked & kAllPlaces;
   int best = -1;
+  float nearest = std::numeric_limits<float>::infinity();
   for (int k = 0; k < kPlaces; ++k) {
-    if (has(worth, k) && (best < 0 || pair.least[at(k)] < pair.least[at(best)])) best = k;
+    const float here = has(worth, k) ? pair.least[at(k)] : std::numeric_limits<float>::infinity();
+    best = here < nearest ? k : best;
+    nearest = std::min(nearest, here);
   }
   return best;
 }
@@ -165,38 +170,39 @@ int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capaci
   return count;
 }
 
-// What the gaps along one direction prove.
-void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept {
+// What the gaps along one direction prove.  Without branches, which nothing foretells.
+void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) noexcept {
+  unsigned far = 0, proved = 0;
   for (int k = 0; k < kPlaces; ++k) {
-    const float here = gaps[at(k)];
-    pair.least[at(k)] = std::max(pair.least[at(k)], here);
-    if (number(here) >= pair.margin) pair.far |= only(k);
-    if (k + 1 == kPlaces) break;
-    if (number(std::min(here, gaps[at(k + 1)]) - pair.left_out[at(k)]) >= pair.clear)
-      pair.open &= ~only(k);
+    pair.least[at(k)] = std::max(pair.least[at(k)], gaps[at(k)]);
+    far |= if_so(number(gaps[at(k)]) >= pair.margin, k);
   }
+  for (int k = 0; k + 1 < kPlaces; ++k)
+    proved |= if_so(number(std::min(gaps[at(k)], gaps[at(k + 1)]) - pair.left_out[at(k)]) >= pair.clear, k);
+  pair.far |= far;
+  pair.open &= ~proved;
 }
 
-// Ways so long, or shapes so near together, that no distance at their ends can prove them.
-void Collision::Impl::note_hopeless(OnWay& pair) const noexcept {
-  const SweptShapes::AtPlaces most = swept->most_apart(pair.pair), travel = swept->travel(pair.pair);
+// Ways so long, or shapes so near together, that no distance at their ends can prove them.  most: that they are apart.
+void Collision::Impl::note_hopeless(OnWay& pair, const SweptShapes::AtPlaces& most) noexcept {
   for (int k = 0; k + 1 < kPlaces; ++k) {
     const float here = most[at(k)], next = most[at(k + 1)];
-    if (number(std::min(here, next) - pair.left_out[at(k)]) < pair.clear &&
-        number(0.5F * (here + next - travel[at(k)])) < pair.clear)
-      pair.hopeless |= only(k);
+    const bool by_gaps = number(std::min(here, next) - pair.left_out[at(k)]) < pair.clear,
+               by_travel = number(0.5F * (here + next - pair.travel[at(k)])) < pair.clear;
+    pair.hopeless |= if_so(by_gaps & by_travel, k);
   }
 }
 
 void Collision::begin(OnWay& pair) noexcept {
-  SweptShapes& swept = *impl_->swept;
+  const SweptShapes::Bounds known = impl_->swept->bounds(pair.pair);
   pair.open = kAllWays;
   pair.asked = pair.far = pair.hopeless = 0;
-  pair.left_out = swept.left_out(pair.pair);
-  pair.least = swept.gaps(pair.pair);
+  pair.left_out = known.left_out;
+  pair.travel = known.travel;
+  pair.least = known.gaps;
   pair.best = number(*std::min_element(pair.least.begin(), pair.least.end()));
-  impl_->note(pair, pair.least);
-  if (pair.open != 0) impl_->note_hopeless(pair);
+  Impl::note(pair, pair.least);
+  Impl::note_hopeless(pair, known.most_apart);
 }
 
 int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept {
@@ -230,7 +236,7 @@ int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance&
     if (found && distance > 0.0) {
       const Vector3d direction = (same_way ? 1.0 : -1.0) * result.normal;
       const SweptShapes::AtPlaces gaps = i.swept->gaps(pair.pair, direction, place);
-      i.note(pair, gaps);
+      Impl::note(pair, gaps);
       const double least = number(*std::min_element(gaps.begin(), gaps.end()));
       if (least > pair.best) {
         pair.best = least;
@@ -247,9 +253,8 @@ int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance&
   if (next_place(pair) >= 0) {
     pair.open = kAllWays;
   } else if (pair.open != 0) {  // they may be too near together to be proved by any other means
-    const SweptShapes::AtPlaces travel = i.swept->travel(pair.pair);
     for (int k = 0; k + 1 < kPlaces; ++k) {
-      if (0.5F * (pair.least[at(k)] + pair.least[at(k + 1)] - travel[at(k)]) >=
+      if (0.5F * (pair.least[at(k)] + pair.least[at(k + 1)] - pair.travel[at(k)]) >=
           static_cast<float>(pair.clear))
         pair.open &= ~only(k);
     }

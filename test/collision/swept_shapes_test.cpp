@@ -220,8 +220,8 @@ TEST(SweptShapes, AWaySaysTheSameWhateverCameBefore) {
     f.fill(anew);
     anew.go(f.base.base, f.way);
     for (int p = 0; p < f.pairs(); ++p) {
-      ASSERT_EQ(f.swept.left_out(p), anew.left_out(p)) << i;
-      ASSERT_EQ(f.swept.travel(p), anew.travel(p)) << i;
+      ASSERT_EQ(f.swept.bounds(p).left_out, anew.bounds(p).left_out) << i;
+      ASSERT_EQ(f.swept.bounds(p).travel, anew.bounds(p).travel) << i;
     }
     std::vector<int> open(all.size()), open_anew(all.size());
     const int count = anew.open(all, 0.02, 0.01, open_anew.data(), f.pairs());
@@ -232,7 +232,7 @@ TEST(SweptShapes, AWaySaysTheSameWhateverCameBefore) {
     // What the corners prove along the direction that is remembered was not given up before they were asked.
     for (int k = 0; k < count; ++k) {
       const int p = open[at(k)];
-      const SweptShapes::AtPlaces gaps = f.swept.gaps(p, f.swept.remembered(p, 0), 0), out = f.swept.left_out(p);
+      const SweptShapes::AtPlaces gaps = f.swept.gaps(p, f.swept.remembered(p, 0), 0), out = f.swept.bounds(p).left_out;
       bool proved = true;
       for (std::size_t place = 0; place < at(kPlaces); ++place) {
         const float next = place + 1 < at(kPlaces) ? gaps[place + 1] : gaps[place];
@@ -264,7 +264,7 @@ TEST(SweptShapes, AGapIsNoMoreThanItIs) {
                                seen.link_in_world(common).linear().transpose() * n;
         const double is = f.gap(kinematics, pair, there);
         ASSERT_LE(static_cast<double>(gaps[at(place)]), is);
-        ASSERT_GE(static_cast<double>(f.swept.most_apart(pair)[at(place)]), is);
+        ASSERT_GE(static_cast<double>(f.swept.bounds(pair).most_apart[at(place)]), is);
         ASSERT_GT(static_cast<double>(gaps[at(place)]), is - kLost);
       }
       f.swept.remember(pair, n, from);
@@ -291,8 +291,8 @@ TEST(SweptShapes, BetweenPlacesNoMoreIsLeftOutThanIsSaid) {
           return f.gap(posture, pair, posture.link_in_world(common).linear() * n);
         };
         const double least = std::min(along(here), along(next)), is = along(kinematics);
-        const double left_out = static_cast<double>(f.swept.left_out(pair)[at(way)]);
-        const double travel = static_cast<double>(f.swept.travel(pair)[at(way)]);
+        const double left_out = static_cast<double>(f.swept.bounds(pair).left_out[at(way)]);
+        const double travel = static_cast<double>(f.swept.bounds(pair).travel[at(way)]);
         ASSERT_GE(is, least - left_out - 1e-6) << pair << " " << way;
         ASSERT_GE(is, 0.5 * (along(here) + along(next) - travel) - 1e-6) << pair << " " << way;
         if (left_out > 0.0) most = std::max(most, (least - is) / left_out);
