@@ -240,10 +240,9 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     const SearchPoint begin = to_search(question.start);
     CertainPath way;
     if (!held && !spent.exact) way = lines.find_proved(search, begin, goals, keep_on, user);
-    const bool no_proofs = !way.certain && way.rounds == 0;  // even of the ends
     SearchPath found = std::move(way.path);
     plan.rounds = way.rounds;
-    if (no_proofs) {
+    if (!way.ends_certain) {  // or not asked
       spent.exact = true;
       found = search.find(test, begin, goals, keep_on, user);
       plan.rounds = search.rounds();

@@ -50,7 +50,7 @@ struct ArmPlan {
   // stands on.
   double clearance = 0.0;
   double padding = 0.0;     // that it keeps to obstacles besides [m]
-  int rounds = 0;           // of the search; 0: the straight way was free
+  int rounds = 0;           // of all searches of the last attempt; 0: the straight way was free
   std::int64_t checks = 0;  // postures whose exact distances were asked for
   double duration() const { return path.empty() ? 0.0 : path.back().time; }
 };
@@ -82,7 +82,7 @@ class ArmPlanner {
   struct Effort {
     double clearance = 0.0;  // [m]
     int rounds = 0;
-    bool exact = false;  // lines are decided by exact distances; on return: they were
+    bool exact = false;  // exact distances decide the lines that are not proved; on return: they did
   };
   ArmPlan attempt(const ArmGoal& goal, const Configuration& start,
                   const Eigen::Isometry3d& ground_in_world, std::uint64_t seed, Effort& spent,

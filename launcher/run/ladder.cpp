@@ -276,7 +276,8 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
     if (track.stopped != yardstick.stopped) rung.apart = kInfinity;
     ladder.rungs.insert(ladder.rungs.end() - 1, rung);
     if (request.progress) request.progress(ladder);
-    return ladder.choose(request.error) != chosen;
+    const int now = ladder.choose(request.error);  // the yardstick has moved
+    return now >= 0 && !ladder.rungs[at(now)].less.none();
   };
   Moved moved = yardstick.moved;
   if (scene.engine != "articulated" || scene.asleep) moved.lay = 0.0;

@@ -74,7 +74,7 @@ struct Parted {
 };
 
 struct Ladder {
-  std::vector<Rung> rungs;  // in the order in which they were run; the yardstick is the last
+  std::vector<Rung> rungs;  // the first from coarse to fine, then those between; the yardstick is the last
   std::vector<Parted> parted;
   Moved moved;              // in the yardstick
   double agreement = 0.0;   // of the finest two of order 3 [m]
@@ -99,7 +99,7 @@ struct LadderRequest {
   double error = 1e-3;    // asked for [m]
   bool all = false;       // every rung, however soon they agree
   bool less = false;      // leaves out what need not be modelled
-  std::function<void(const Ladder&)> progress;  // after each run; may be empty
+  std::function<void(const Ladder&)> progress;  // after runs; may be empty
   std::function<Track(const Scene&)> follow;    // instead of follow(), if not empty
 };
 

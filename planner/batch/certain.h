@@ -49,7 +49,10 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
   for (int g = robot.fixed_groups; g < groups; ++g) place_group(robot, w, g);
   find_swings(robot, w, step);
   float steps = 0.0F;
-  for (int j = 0; j < robot.joints; ++j) steps += __builtin_fabsf(step[j]);
+  for (int b = 1; b <= last; ++b) {
+    const BlockBody& body = robot.bodies[static_cast<std::size_t>(b)];
+    steps += __builtin_fabsf(step[body.joint] * body.scale);
+  }
   Flags near = {}, touching = {};
   // Rates of the bodies: velocity of the point at the world's origin, and of turning.
   for (int i = 0; i < 3; ++i) w.rate[0][i] = w.rate[0][3 + i] = all(0.0F);

@@ -74,9 +74,7 @@ namespace block_avx512 {
 BlockCheck::BlockCheck(const BlockRobot& robot, const BlockScene& scene, InstructionSet set)
     : robot_(&robot), scene_(&scene), work_(new BlockWork), set_(set) {
   TWINBUS_BLOCK(set_, prepare(robot, *work_));
-  settle_all();
-  std::fill(std::begin(work_->fine), std::end(work_->fine), true);
-  std::fill(std::begin(work_->fine_pair), std::end(work_->fine_pair), true);
+  settle_as_at_first();
 }
 
 BlockCheck::~BlockCheck() = default;
@@ -90,6 +88,12 @@ bool BlockCheck::line_free(const float* from, const float* step, int blocks) noe
 void BlockCheck::settle_all() noexcept {
   std::fill(std::begin(work_->settles), std::end(work_->settles), true);
   std::fill(std::begin(work_->settles_pair), std::end(work_->settles_pair), true);
+}
+
+void BlockCheck::settle_as_at_first() noexcept {
+  settle_all();
+  std::fill(std::begin(work_->fine), std::end(work_->fine), true);
+  std::fill(std::begin(work_->fine_pair), std::end(work_->fine_pair), true);
 }
 
 void BlockCheck::settle_touching(const std::vector<const float*>& postures) noexcept {

@@ -35,9 +35,10 @@ class BlockCheck {
 
   // Shall pieces settle what hulls leave open?  Slower; needed where an end lies in a hull.
   void settle_by_pieces(bool yes) noexcept;
-  // On the rake: everything, as it is at first, or only groups and pairs that balls see touching at one of these postures; from
+  // On the rake: everything, or only groups and pairs that balls see touching at one of these postures; from
   // then on pieces settle those alone that hulls see touching there.
   void settle_all() noexcept;
+  void settle_as_at_first() noexcept;  // all, by hulls and pieces
   void settle_touching(const std::vector<const float*>& postures) noexcept;
   // Shall hulls, and pieces then, settle what the balls of two links leave open, too?
   void settle_pairs(bool yes) noexcept;

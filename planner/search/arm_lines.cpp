@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "common/math/index.h"
+#include "geometry/bounds/coarse_mesh.h"
 #include "robot/collision/links/inscribed_spheres.h"
 #include "robot/description/hand_of.h"
 
@@ -23,6 +25,7 @@ class GroupOf {
     for (; links_ < static_cast<int>(groups.size()) && !groups[at(links_)].held; ++links_)
       of_link_[at(groups[at(links_)].link)] = links_;
   }
+  int count() const { return links_; }  // of links
   int operator()(int index) const { return index < link_count_ ? of_link_[at(index)] : links_ + index - link_count_; }
 
  private:
@@ -40,7 +43,22 @@ std::vector<std::pair<int, int>> pairs_of(const Model& model, const Collision& c
   return pairs;
 }
 
-BallGroup balls_along(const LinkGeometry& link) {
+// As Collision takes a link: a mesh of many triangles as its hull, what lies in a hollow counts as inside; others as they are.
+std::vector<std::vector<Eigen::Vector3d>> pieces_of(const std::vector<Shape>& shapes, const std::vector<Eigen::Vector3d>& hull) {
+  std::vector<std::vector<Eigen::Vector3d>> pieces{hull};
+  for (const Shape& shape : shapes) {
+    const LinkGeometry geometry = link_geometry({shape});
+    const bool fine = shape.kind == ShapeKind::kMesh && static_cast<int>(geometry.mesh.triangles.size()) <= kFineTriangles;
+    if (shapes.size() == 1 && !fine) break;
+    const BallGroup of_shape = group_from(geometry);
+    const auto first = of_shape.pieces.begin();
+    if (fine) pieces.insert(pieces.end(), first + 1, of_shape.pieces.end());
+    else pieces.push_back(*first);
+  }
+  return pieces;
+}
+
+BallGroup balls_along(const LinkGeometry& link, const std::vector<Shape>& shapes) {
   const Capsule& capsule = link.capsule;
   const Eigen::Vector3d along = capsule.b - capsule.a;
   const int count = std::clamp(static_cast<int>(std::ceil(along.norm() / (0.7 * capsule.radius))),
@@ -48,6 +66,7 @@ BallGroup balls_along(const LinkGeometry& link) {
   // A ball holds its share of the capsule: half a share along, the radius across.
   const double half = 0.5 * along.norm() / count;
   BallGroup group = group_from(link);
+  group.pieces = pieces_of(shapes, group.pieces.front());
   for (int i = 0; i < count; ++i) {
     group.balls.push_back(
         {capsule.a + (i + 0.5) / count * along, std::hypot(capsule.radius, half)});
@@ -93,18 +112,22 @@ ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collis
 // What is near where the motion begins or ends, as the exact check takes it.
 void ArmLines::keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups) {
   ends_ = exact_->ends();
-  if (ends_.empty()) return;
   const GroupOf group(model, groups);
+  if (groups.size() != at(group.count()) + shape_of_.size()) throw std::invalid_argument("ArmLines: a group of each obstacle is wanted");
+  if (ends_.empty()) return;
   robot_.kept_of_pairs.assign(robot_.pairs.size(), robot_.grow);
   for (EndPair& end : ends_) {
     end.margin = exact_->margin(end.link_a, end.link_b);
     const auto kept = static_cast<float>(end.margin);
     const int of[2] = {end.link_a, end.link_b};
+    bool stands = false;  // one of them, in the world
     for (const int k : {0, 1}) {
       const int shape = of[k] < model.link_count() ? -1 : shape_of_[at(of[k] - model.link_count())];
-      const int g = robot_.group_of[at(group(of[1 - k]))];
-      if (shape >= 0) robot_.kept_of_shapes.push_back({g, shape, kept});
+      if (shape < 0) continue;
+      stands = true;
+      robot_.kept_of_shapes.push_back({robot_.group_of[at(group(of[1 - k]))], shape, kept});
     }
+    if (stands) continue;
     const std::pair<int, int> ab{robot_.group_of[at(group(of[0]))], robot_.group_of[at(group(of[1]))]};
     for (std::size_t i = 0; i < robot_.pairs.size(); ++i) {
       const auto& [a, b] = robot_.pairs[i];
@@ -152,7 +175,7 @@ bool ArmLines::curve_free(const std::array<JointPoint, 4>& curve) {
 std::vector<BallGroup> balls_along_links(const Model& model) {
   std::vector<BallGroup> groups;
   for (const LinkGeometry& link : build_geometry(model).links)
-    groups.push_back(balls_along(link));
+    groups.push_back(balls_along(link, model.links[at(link.link)].collision));
   return groups;
 }
 
@@ -162,9 +185,10 @@ std::vector<BallGroup> balls_along_held(const Model& model, const std::vector<Ob
     if (!takes_part(obstacle, model)) continue;
     BallGroup group;
     if (obstacle.hand >= 0) {
-      LinkGeometry geometry = link_geometry({shape_of(obstacle, model)});
+      const std::vector<Shape> shapes{shape_of(obstacle, model)};
+      LinkGeometry geometry = link_geometry(shapes);
       geometry.link = hand_of(model, obstacle.hand)->link;
-      group = balls_along(geometry);
+      group = balls_along(geometry, shapes);
     }
     group.held = true;
     groups.push_back(std::move(group));

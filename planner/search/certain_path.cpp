@@ -65,6 +65,18 @@ struct Patience {
   static constexpr int kMost = 20;
 };
 
+// Leaves a check as whoever asks next expects it.
+class AsAtFirst {
+ public:
+  explicit AsAtFirst(BlockCheck& check) : check_(&check) {}
+  ~AsAtFirst() { check_->settle_as_at_first(); }
+  AsAtFirst(const AsAtFirst&) = delete;
+  AsAtFirst& operator=(const AsAtFirst&) = delete;
+
+ private:
+  BlockCheck* check_;
+};
+
 SearchPoint between(const SearchPoint& from, const SearchPoint& to, int joints) {
   SearchPoint step{};
   for (std::size_t j = 0; j < at(joints); ++j) step[j] = to[j] - from[j];
@@ -114,11 +126,13 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
   for (const SearchPoint& goal : goals) postures.push_back(goal.data());
   check.settle_by_pieces(true);
   check.settle_touching(postures);
+  const AsAtFirst when_done(check);
   // No proved line ends where the posture alone cannot be proved.
   SearchPath ends;
   if (certain_at(check, start))
     std::copy_if(goals.begin(), goals.end(), std::back_inserter(ends),
                  [&](const SearchPoint& goal) { return certain_at(check, goal); });
+  result.ends_certain = !ends.empty();
   if (ends.empty()) return result;
   const auto find = [&](LineTest& test, bool (*go_on)(void*), void* of) {
     SearchPath found = search.find(test, start, ends, go_on, of);
@@ -139,7 +153,6 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
     result.path = find(slow, keep_on, user);
     shorten(slow, result.path, check.robot().joints);
   }
-  check.settle_all();  // as whoever asks next expects it
   result.certain = !result.path.empty();
   return result;
 }

@@ -11,13 +11,14 @@ struct CertainPath {
   SearchPath path;       // empty: none was found
   int rounds = 0;        // of the search
   bool certain = false;  // every line is proved free
+  bool ends_certain = false;  // the start is, and a goal
 };
 
 // Is a posture proved free by itself?  Postures that are nearer to touching than rounding errors are not.
 bool certain_at(BlockCheck& check, const SearchPoint& q);
 
 // First a path as a search with postures finds it; what cannot be proved of it is done again with proved lines only.  No
-// path (after no round) is found from a start, or to goals, that are not certain themselves.  density: postures per
+// path is found from a start, or to goals, that are not certain themselves, and none is looked for.  density: postures per
 // radian.  keep_on: as of JointSearch.
 CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
                          const SearchPoint& start, const SearchPath& goals,

@@ -25,13 +25,23 @@ EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configurati
     throw std::invalid_argument("EdgeCheck: 1 to " + std::to_string(kArmJoints) +
                                 " joints can be planned, got " + std::to_string(joints.size()));
   }
-  collision.check_only_moved_by(joints);
+  std::vector<int> moving = joints;
   reach_.resize(static_cast<int>(joints.size()));
-  for (int k = 0; k < reach_.size(); ++k) reach_[k] = collision.reach().farthest(joints[at(k)]);
+  for (int k = 0; k < reach_.size(); ++k) {
+    reach_[k] = collision.reach().farthest(joints[at(k)]);
+    for (int follower = 0; follower < model.joint_count(); ++follower) {
+      const Joint& joint = model.joints[at(follower)];
+      if (joint.mimic != joints[at(k)]) continue;
+      reach_[k] += std::abs(joint.mimic_multiplier) * collision.reach().farthest(follower);
+      moving.push_back(follower);
+    }
+  }
+  collision.check_only_moved_by(moving);
 }
 
 const Kinematics& EdgeCheck::kinematics_at(const JointPoint& q) {
   for (int k = 0; k < q.size(); ++k) posture_.q[joints_[at(k)]] = q[k];
+  set_mimics(kinematics_.model(), posture_);
   kinematics_.update(posture_);
   return kinematics_;
 }

@@ -68,7 +68,7 @@ struct SolveCounters {
   long one_pass = 0;     // of them, done by stage 1
   long newton = 0;       // iterations
   long rounded = 0;      // solves that needed the rounded law
-  long unconverged = 0;  // solves that did not settle, those that were taken again too
+  long unconverged = 0;  // solves that did not settle, those that were taken again too; given up in a hurry, none
 };
 
 class ContactSolve {

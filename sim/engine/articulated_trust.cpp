@@ -71,7 +71,7 @@ bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
   if (sound) {
     loose_.outward();
     solve_.solve(contacts_, h);
-    sound = solve_.counters().unconverged == unconverged && loose_.advance(contacts_, h, 1.0);
+    sound = solve_.counters().unconverged == unconverged && !solve_.gave_up() && loose_.advance(contacts_, h, 1.0);
   }
   if (!sound) {
     loose_.restore();

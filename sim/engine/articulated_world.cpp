@@ -174,7 +174,9 @@ Status ArticulatedWorld::take_step() noexcept {
   if (fly()) return Status::kOk;
   start_ = configuration_;
   loose_.save();
-  if (!(config_.order > 1 ? advance_in_parts() : advance_settled())) {
+  const bool advanced = config_.order > 1 ? advance_in_parts() : advance_settled();
+  solve_.hurry(false);
+  if (!advanced) {
     configuration_ = start_;
     body_.place(configuration_);
     loose_.restore();

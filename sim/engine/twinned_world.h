@@ -25,6 +25,7 @@ class TwinnedWorld final : public ForwardingWorld {
   void set_corner_offset(int sole, int corner, double offset) noexcept override;
   void estimate_contact_forces() noexcept override { world_->estimate_contact_forces(); }
   Status step() noexcept override;
+  double work() const noexcept override { return world_->work() + twin_->work(); }
 
   Status set_loose(int body, const LooseState& state) noexcept override;
   Status hold(int tie, bool holds) noexcept override;

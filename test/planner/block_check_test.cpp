@@ -341,6 +341,10 @@ TEST(BlockCheck, APairAndAnObstacleMayKeepLessThanOthersAndALineMoreThanThat) {
   EXPECT_TRUE(certain(scene, step, 0.0F));
   EXPECT_TRUE(certain(scene, still, 0.0095F));
   EXPECT_FALSE(certain(nothing, still, 0.0105F));
+  robot.kept_of_pairs = {0.0F};
+  EXPECT_TRUE(certain(scene, still, 0.0095F));
+  EXPECT_FALSE(certain(scene, still, 0.0105F));  // the box alone
+  robot.kept_of_pairs.clear();
   robot.grow = 0.040F;
   EXPECT_FALSE(certain(nothing, step, 0.0F));
   robot.kept_of_pairs = {0.0295F};

@@ -68,7 +68,9 @@ TEST(EdgeCheck, AFreeCurveKeepsItsClearanceEverywhere) {
   auto& [things, start, collision, space] = shelf;
   std::mt19937_64 random(12);
   space.set_clearance(0.02);
-  ArmLines lines(hrp1s(), space, collision, balls_along_links(hrp1s()), things);
+  std::vector<BallGroup> groups = balls_along_links(hrp1s());
+  for (BallGroup& held : balls_along_held(hrp1s(), things)) groups.push_back(std::move(held));
+  ArmLines lines(hrp1s(), space, collision, groups, things);
   space.set_clearance(0.005);
   int free = 0, blocked = 0, by_balls = 0;
   for (int i = 0; i < 200; ++i) {
