@@ -169,7 +169,7 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
     Flags piece_far, piece_separate;
     separate_piece(robot, w, ga.body, piece_a, middle_a, side_b, kept, fixed, moves, sweep, near, false, piece_far,
                    piece_separate);
-    const Flags deep = near & ~piece_separate;
+    const Flags deep = gb.piece_count > 1 ? near & ~piece_separate : Flags{};  // a hull alone has the last word
     all_far &= piece_far | ~near | deep;
     all_separate &= piece_separate | ~near | deep;
     if (any(deep)) each_of_b(piece_a, deep);

@@ -358,6 +358,27 @@ TEST(BlockCheck, APairAndAnObstacleMayKeepLessThanOthersAndALineMoreThanThat) {
   EXPECT_FALSE(certain(scene, step, 0.0F));
 }
 
+// A link of two boxes, one of them in a box that is one piece.
+TEST(BlockCheck, PiecesThatMeetTheOnlyPieceOfAnotherGroupTouchIt) {
+  const Model model = test::turning_link();
+  for (const double height : {0.0, 0.05}) {
+    const auto boxes = {test::corners_of_box({0.1, 0.0, height}, {0.02, 0.02, 0.01}), test::corners_of_box({-0.1, 0.0, 0.2}, {0.02, 0.02, 0.01})};
+    BallGroup two{.link = 1, .balls = {{Eigen::Vector3d::Zero(), 0.3}}, .pieces = {test::corners_of_box({0.0, 0.0, 0.1}, {0.12, 0.02, 0.11})}};
+    two.pieces.insert(two.pieces.end(), boxes);
+    BallGroup one{.link = 0, .balls = {{Eigen::Vector3d::Zero(), 0.3}}, .pieces = {test::corners_of_box(Eigen::Vector3d::Zero(), {0.2, 0.2, 0.01})}};
+    for (const bool swapped : {false, true}) {
+      const BlockRobot robot = compile_robot(model, Configuration(model), {0}, {one, two}, {swapped ? std::pair{1, 0} : std::pair{0, 1}}, 1e-4);
+      const BlockScene nothing;
+      BlockCheck check(robot, nothing);
+      check.settle_pairs(true);
+      check.settle_by_pieces(true);
+      const float from[1] = {0.1F}, step[1] = {0.3F};
+      EXPECT_EQ(check.line_certain(from, step), height > 0.0) << swapped;
+      EXPECT_EQ(check.line_free(from, step, 4), height > 0.0) << swapped;
+    }
+  }
+}
+
 TEST(BlockCheck, TheNearestPointIsTheFirstOfTheNearest) {
   SplitMix64 random(4);
   std::vector<float> columns(3 * 32, 1e6F);
