@@ -20,6 +20,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct Track {
   std::vector<std::string> names;                // of the links and bodies
   Moved moved;
   double cost = 0.0;                             // CPU of the physics [s]
-  double work = 0.0;                             // of the engine, in solves; NaN: it does not count them
+  double work = std::numeric_limits<double>::quiet_NaN();  // of the engine, in solves; NaN: it does not count them
   double all = 0.0;                              // CPU of everything [s]
   bool whole = true;                             // the run did not end early
   bool stopped = false;                          // and not with its source stopped

@@ -121,6 +121,31 @@ TEST(Less, WhereLinksOfARobotTouchTheRestIsLeftOutAllTheSame) {
   EXPECT_EQ(less.still, std::vector<std::string>{"base"});
 }
 
+// Only order 3 holds the error, and its finest run is the least work: the yardstick is chosen until something is left out.
+TEST(Less, WhereTheYardstickIsChosenASmallerSetIsTriedAfterOneThatFails) {
+  const Model model = load_robot("hrp1s");
+  Scene scene;
+  scene.self_contact = true;
+  LadderRequest request;
+  request.duration = 0.1;
+  request.error = 1e-3;
+  request.less = true;
+  request.follow = [&](const Scene& asked) {
+    const bool best = std::find(asked.settings.begin(), asked.settings.end(), std::pair<std::string, std::string>("solver.order", "3")) != asked.settings.end();
+    Track track = at_rest(model, !asked.self_contact ? 0.1 : best ? 0.0 : 1.5e-3);
+    track.moved.links = 0.0;
+    track.cost = asked.held.empty() ? 1.0 : 0.5;
+    track.work = asked.step / model.period();  // the finer the less
+    return track;
+  };
+  const Ladder ladder = climb(model, scene, {}, request);
+  const int chosen = ladder.choose(request.error);
+  ASSERT_GE(chosen, 0);
+  const Less& less = ladder.rungs[static_cast<std::size_t>(chosen)].less;
+  EXPECT_FALSE(less.none());
+  EXPECT_FALSE(less.apart);
+}
+
 TEST(Less, WhereStandingStillIsTooMuchJointsAreHeld) {
   Ladder ladder;
   const auto still = [](const Scene& asked) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 
+#include "common/math/index.h"
 #include "planner/search/arm_lines.h"
 #include "test/planner/reach_rig.h"
 
@@ -42,6 +43,28 @@ struct Shelf {
     return collision;
   }
 };
+
+// A joint of the arm that another one follows, three times as far.
+TEST(EdgeCheck, WhatFollowsAPlannedJointMovesToo) {
+  Model model = hrp1s();
+  const int leads = left_arm()[0], follows = left_arm()[2];
+  model.joints[at(follows)].mimic = leads;
+  model.joints[at(follows)].mimic_multiplier = 3.0;
+  Collision plain(hrp1s()), collision(model);
+  const Configuration start = standing();
+  EdgeCheck alone(hrp1s(), plain, start, {leads}, 0.005), both(model, collision, start, {leads}, 0.005);
+  const JointPoint from = JointPoint::Constant(1, 0.1), to = JointPoint::Constant(1, 0.2);
+  const double reach = collision.reach().farthest(follows);
+  EXPECT_NEAR(both.motion_bound(from, to), alone.motion_bound(from, to) + 0.1 * 3.0 * reach, 1e-9);
+  const Kinematics& there = both.kinematics_at(to);
+  Configuration posture = start;
+  posture.q[leads] = 0.2;
+  posture.q[follows] = 0.6;
+  Kinematics expected(model);
+  expected.update(posture);
+  const int hand = model.hands[0].link;
+  EXPECT_TRUE(there.link_in_world(hand).isApprox(expected.link_in_world(hand), 1e-12));
+}
 
 // The claim of the file: a line that is called free touches nowhere, also between the samples.
 TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
