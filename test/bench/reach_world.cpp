@@ -7,7 +7,7 @@
 // the other hand moves; the next goal of the hand places it, and it is let go where it arrived.  The held thing rests on nothing.
 //
 // Each goal is the hand of a random arm posture, the body leaning as balance asks, that keeps the planner's
-// least clearance and 3 mm: so there is a posture that answers it.  Half are places, half whole poses.  They come one
+// least clearance and 3 mm, and that its joints can hold: so there is a posture that answers it.  Half are places, half whole poses.  They come one
 // after the other from where the last one left the arms, by the steps of `twinbus reach`; everything in one process
 // in simulated time.  The only true refusal is that there is no way, when a planner without
 // margins and with ten times the patience finds none either.
@@ -27,6 +27,7 @@
 #include <nlohmann/json.hpp>
 
 #include "launcher/run/local_stack.h"
+#include "planner/timing/motion_effort.h"
 #include "launcher/operate/reach_progress.h"
 #include "common/math/splitmix64.h"
 #include "common/process/process.h"
@@ -179,7 +180,7 @@ class World {
       goal.goal_id = number * 16 + plans + 1;
       const ArmPlan plan = ask(goal);
       if (plan.status != ArmPathStatus::kOk) {
-        refusal = describe(plan);
+        refusal = said_.empty() ? describe(plan) : said_;
         const bool no_way = plan.status == ArmPathStatus::kTimeLimit;
         if (!moved && !(no_way && truly_refused(goal))) refusal += " (UNTRUE)";
         break;
@@ -358,6 +359,7 @@ class World {
     const bool balances = model_.soles[0].link >= 0;
     Kinematics kinematics(model_);
     collision_.check_only_moved_by(hand.joints);
+    MotionEffort effort(model_, now, hand.joints);
     std::optional<ArmGoal> drawn;
     for (int i = 0; i < kTries && !drawn; ++i) {
       Configuration there = now;
@@ -370,6 +372,9 @@ class World {
       if (balances) there.base.pretranslate(kinematics_.com() - kinematics.com());  // balance keeps it
       kinematics.update(there);
       if (nearest_of(collision_, kinematics, 0.05) < clear_) continue;
+      JointPoint arm(static_cast<int>(hand.joints.size()));
+      for (int k = 0; k < arm.size(); ++k) arm[k] = there.q[hand.joints[at(k)]];
+      if (!effort.holds(arm)) continue;  // an arm that falls from there is truly refused
       const Eigen::Isometry3d place = to_ground * kinematics.link_in_world(hand.link) * hand.frame;
       const Eigen::Quaterniond turn(place.linear());
       for (std::size_t k = 0; k < 3; ++k)
@@ -387,7 +392,8 @@ class World {
     const std::int64_t begin = monotonic_ns();
     run_->say(goal);
     plan_ms_->push_back(1e-6 * static_cast<double>(monotonic_ns() - begin));
-    run_->take_sentences();
+    said_.clear();
+    for (const std::string& sentence : run_->take_sentences()) said_ += (said_.empty() ? "" : "; ") + sentence;
     const std::vector<ArmPathPiece>& pieces = run_->arm_answer();
     ArmPlan plan;
     plan.status = pieces.front().status;
@@ -467,6 +473,7 @@ class World {
   bool touched_ = false;
   double clear_ = 0.0;  // of the postures that goals are drawn from [m]
   double nearest_ = 1.0;
+  std::string said_;  // by the planner, to the last goal
 };
 
 int run(int argc, char** argv) {
