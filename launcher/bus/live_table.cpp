@@ -90,9 +90,11 @@ void add_robot(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
   if (!(seen.controller_statuses().age(now_ns) < 1.0)) return;
   const ControllerStatus& c = seen.controller();
   const std::string motion = motion_text(c);
-  lines.push_back(formatted("robot: mode %s%s%s, ZMP margin %.1f mm, guard %s", label(c.mode),
-                            motion.empty() ? "" : ", ", motion.c_str(),
-                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
+  // -1 m: no foot carries, or there is none.
+  const std::string margin =
+      c.zmp_margin > -1.0F ? formatted(", ZMP margin %.1f mm", 1e3 * static_cast<double>(c.zmp_margin)) : std::string();
+  lines.push_back(formatted("robot: mode %s%s%s%s, guard %s", label(c.mode), motion.empty() ? "" : ", ", motion.c_str(),
+                            margin.c_str(), guard_word(seen, now_ns)) +
                   pace_text(seen, now_ns));
 }
 

@@ -82,6 +82,21 @@ TEST(ActingLines, NameWhatIsWrongWithItsRemedy) {
   EXPECT_FALSE(has(acting_lines(fallen, kNow), "is stopped"));  // of it, and reset ends that too
 }
 
+// An arm has no feet.
+TEST(ShortLines, WhereNoFootCarriesNoMarginIsSaid) {
+  CpuShare shares;
+  for (const bool carried : {false, true}) {
+    StackMonitor seen = healthy();
+    ControllerStatus status;
+    status.zmp_margin = carried ? 0.05F : -1.0F;
+    seen.on_controller_status(status, kNow);
+    const std::vector<std::string> lines = short_lines(seen, shares, kNow);
+    EXPECT_TRUE(has(lines, "robot: mode"));
+    EXPECT_EQ(has(lines, "ZMP margin 50.0 mm"), carried);
+    EXPECT_EQ(has(lines, "ZMP margin"), carried);
+  }
+}
+
 TEST(ShortLines, BeginWithWhatHasToBeDoneAndLeaveStreamsOut) {
   CpuShare shares;
   const std::vector<std::string> well = short_lines(healthy(), shares, kNow);
