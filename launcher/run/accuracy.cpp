@@ -99,16 +99,15 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
     climbing.all = request.all || !(request.error > 0.0);
     climbing.less = scene.fidelity == "auto" && request.error > 0.0;
     if (request.talk) {
-      climbing.progress = [](const Ladder& so_far) {
-        const Rung& rung = so_far.rungs.back();
-        if (const auto last = so_far.rungs.end() - 2; so_far.rungs.size() > 1 && !last->less.none()) {
+      climbing.progress = [](const Ladder& so_far, const Rung& rung) {
+        if (!rung.less.none()) {
           std::fprintf(stderr, "fidelity: %s, %.2f ms of physics per second, error %.3g mm\n",
-                       words_of(last->less).c_str(), last->cost, 1e3 * last->apart);
+                       words_of(rung.less).c_str(), rung.cost, 1e3 * rung.apart);
           return;
         }
         std::fprintf(stderr, "accuracy: order %d at %.3g ms, %.2f ms of physics per second%s\n",
                      rung.order, 1e3 * rung.step, rung.cost,
-                     std::isfinite(so_far.agreement) && rung.order == 3
+                     std::isfinite(so_far.agreement) && &rung == &so_far.rungs.back() && rung.order == 3
                          ? formatted("; the finest two agree to %.3g mm", 1e3 * so_far.agreement).c_str()
                          : "");
       };

@@ -275,7 +275,7 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
     rung.less.asleep = less.asleep && track.slept;  // else the run is the same without
     if (track.stopped != yardstick.stopped) rung.apart = kInfinity;
     ladder.rungs.insert(ladder.rungs.end() - 1, rung);
-    if (request.progress) request.progress(ladder);
+    if (request.progress) request.progress(ladder, rung);
     const int now = ladder.choose(request.error);  // the yardstick has moved
     return now >= 0 && !ladder.rungs[at(now)].less.none();
   };
@@ -312,6 +312,7 @@ void add_cheaper(const LadderRequest& request, const Run& run, double period, co
       const Track track = run(at_rung(scene, order, step));
       const Rung finer = rung_of(order, step, track, tracks.back(), request.duration);
       ladder.rungs.insert(ladder.rungs.end() - 1, finer);
+      if (request.progress) request.progress(ladder, finer);
       if (parts < next) break;
     }
   }
@@ -351,6 +352,7 @@ void add_between(const LadderRequest& request, const Run& run, double period, co
     const double step = period / parts;
     const Rung rung = rung_of(order, step, run(at_rung(scene, order, step)), yardstick, request.duration);
     ladder.rungs.insert(ladder.rungs.end() - 1, rung);
+    if (request.progress) request.progress(ladder, rung);
   }
 }
 
@@ -401,7 +403,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
         look_again();
         ladder.agreement = have_top ? ladder.rungs[last_top].apart : kInfinity;
       }
-      if (request.progress) request.progress(ladder);
+      if (request.progress) request.progress(ladder, ladder.rungs.back());
       if (quit_requested()) return ladder;
     }
     last_top = tracks.size() - 1;

@@ -100,7 +100,7 @@ struct LadderRequest {
   double error = 1e-3;    // asked for [m]
   bool all = false;       // every rung, however soon they agree
   bool less = false;      // leaves out what need not be modelled
-  std::function<void(const Ladder&)> progress;  // after runs; may be empty
+  std::function<void(const Ladder&, const Rung& newest)> progress;  // after each run; may be empty
   std::function<Track(const Scene&)> follow;    // instead of follow(), if not empty
 };
 

@@ -95,7 +95,8 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
     }
     for (int first = 0; first < count; first += 8) {
       for (unsigned m = boxes_that_meet(scene, first, low, high); m != 0; m &= m - 1) {
-        const BlockShape& shape = scene.shapes[static_cast<std::size_t>(first + __builtin_ctz(m))];
+        const int o = first + __builtin_ctz(m);
+        const BlockShape& shape = scene.shapes[static_cast<std::size_t>(o)];
         if (!any(meets(shape, p, w.reach[g]) & ~near)) continue;
         place_balls(robot, w, g);
         Flags open = {}, touched = {};
@@ -111,7 +112,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
         Sweep sweep{};
         motion_seen(w, group.body, 0, h, sweep.drift, sweep.spin);
         sweep.bend = all(w.bend[g]);
-        const float kept = kept_of_shape(robot, scene, g, shape);
+        const float kept = kept_of_shape(robot, g, o);
         separate(robot, w, g, shape, kept,
                  all(w.bend[g] + kept) + w.turn[g] * all(group.around.radius), w.moves[g], &sweep,
                  open & ~near, far, clear);

@@ -62,7 +62,7 @@ inline bool next_block_free(const BlockRobot& robot, const BlockScene& scene, Bl
       touched |= meets(shape, p, all(ball.radius));
       if ((group.piece_count == 0 || !w.settles[near.group]) && any(touched)) return false;
     }
-    if (any(touched) && !settled(robot, scene, w, near.group, shape, touched)) return false;
+    if (any(touched) && !settled(robot, scene, w, near.group, near.obstacle, touched)) return false;
   }
   for (int i = 0; i < w.near_group_count; ++i) place_group(robot, w, w.near_group[i]);
   for (int i = 0; i < w.near_pair_count; ++i) {

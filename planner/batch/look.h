@@ -30,9 +30,10 @@ TWINBUS_INLINE bool touches_inside(const BlockRobot& robot, const BlockWork& w, 
 }
 
 // Is the convex body of group g clear of the shape in all lanes where balls touch?
-TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockScene& scene, const BlockWork& w, int g, const BlockShape& shape,
+TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockScene& scene, const BlockWork& w, int g, int obstacle,
                             const Flags& touched) {
-  const float kept = kept_of_shape(robot, scene, g, shape);
+  const BlockShape& shape = scene.shapes[static_cast<std::size_t>(obstacle)];
+  const float kept = kept_of_shape(robot, g, obstacle);
   const auto touch = [&](const Lanes* p, float radius) { return meets(shape, p, all(radius)); };
   if (touches_inside(robot, w, robot.groups[static_cast<std::size_t>(g)], touched, touch)) return false;
   Flags far, apart_at_all;
@@ -79,8 +80,8 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
       }
       if (w.notes) {
         w.settles[g] = w.settles[g] || any(touched);
-        w.fine[g] = w.fine[g] || (any(touched) && !settled(robot, scene, w, g, shape, touched));
-      } else if (any(touched) && !settled(robot, scene, w, g, shape, touched)) {
+        w.fine[g] = w.fine[g] || (any(touched) && !settled(robot, scene, w, g, o, touched));
+      } else if (any(touched) && !settled(robot, scene, w, g, o, touched)) {
         return false;
       }
       if (found.count == 0) continue;

@@ -5,9 +5,9 @@
 TWINBUS_INLINE float kept_of_pair(const BlockRobot& robot, int pair) {
   return robot.kept_of_pairs.empty() ? robot.grow : robot.kept_of_pairs[static_cast<std::size_t>(pair)];
 }
-TWINBUS_INLINE float kept_of_shape(const BlockRobot& robot, const BlockScene& scene, int g, const BlockShape& shape) {
+TWINBUS_INLINE float kept_of_shape(const BlockRobot& robot, int g, int shape) {
   for (const BlockMargin& margin : robot.kept_of_shapes) {
-    if (margin.group == g && &shape - scene.shapes.data() == margin.shape) return margin.kept;
+    if (margin.group == g && margin.shape == shape) return margin.kept;
   }
   return robot.grow;
 }

@@ -44,18 +44,22 @@ std::vector<std::pair<int, int>> pairs_of(const Model& model, const Collision& c
 }
 
 // As Collision takes a link: a mesh of many triangles as its hull, what lies in a hollow counts as inside; others as they are.
-std::vector<std::vector<Eigen::Vector3d>> pieces_of(const std::vector<Shape>& shapes, const std::vector<Eigen::Vector3d>& hull) {
-  std::vector<std::vector<Eigen::Vector3d>> pieces{hull};
+BallGroup group_as_collided(const LinkGeometry& link, const std::vector<Shape>& shapes) {
+  const auto fine = [](const Shape& shape, const LinkGeometry& of) {
+    return shape.kind == ShapeKind::kMesh && static_cast<int>(of.mesh.triangles.size()) <= kFineTriangles;
+  };
+  BallGroup group = group_from(link);
+  if (shapes.size() == 1 && fine(shapes[0], link)) return group;
+  group.pieces.resize(1);  // the hull
+  if (shapes.size() == 1) return group;
   for (const Shape& shape : shapes) {
     const LinkGeometry geometry = link_geometry({shape});
-    const bool fine = shape.kind == ShapeKind::kMesh && static_cast<int>(geometry.mesh.triangles.size()) <= kFineTriangles;
-    if (shapes.size() == 1 && !fine) break;
-    const BallGroup of_shape = group_from(geometry);
-    const auto first = of_shape.pieces.begin();
-    if (fine) pieces.insert(pieces.end(), first + 1, of_shape.pieces.end());
-    else pieces.push_back(*first);
+    const BallGroup part = group_from(geometry);
+    const auto hull = part.pieces.begin();
+    if (fine(shape, geometry)) group.pieces.insert(group.pieces.end(), hull + 1, part.pieces.end());
+    else group.pieces.push_back(*hull);
   }
-  return pieces;
+  return group;
 }
 
 BallGroup balls_along(const LinkGeometry& link, const std::vector<Shape>& shapes) {
@@ -65,8 +69,7 @@ BallGroup balls_along(const LinkGeometry& link, const std::vector<Shape>& shapes
                                1, kMostBalls);
   // A ball holds its share of the capsule: half a share along, the radius across.
   const double half = 0.5 * along.norm() / count;
-  BallGroup group = group_from(link);
-  group.pieces = pieces_of(shapes, group.pieces.front());
+  BallGroup group = group_as_collided(link, shapes);
   for (int i = 0; i < count; ++i) {
     group.balls.push_back(
         {capsule.a + (i + 0.5) / count * along, std::hypot(capsule.radius, half)});
@@ -101,19 +104,21 @@ ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collis
       robot_(compile_robot(model, exact.posture(), exact.joints(), groups,
                            pairs_of(model, collision, groups), exact.clearance())),
       check_(robot_, scene_) {
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (takes_part(obstacles[i], model)) shape_of_.push_back(scene_.shape_of[i]);
-  }
-  keep_less_at_ends(model, groups);
+  keep_less_at_ends(model, groups, obstacles);
   check_.settle_pairs(true);
   check_.settle_by_pieces(true);
 }
 
 // What is near where the motion begins or ends, as the exact check takes it.
-void ArmLines::keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups) {
+void ArmLines::keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups,
+                                 const std::vector<Obstacle>& obstacles) {
   ends_ = exact_->ends();
+  std::vector<int> shape_of;  // of those that take part, in the scene; -1 of what is held
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (takes_part(obstacles[i], model)) shape_of.push_back(scene_.shape_of[i]);
+  }
   const GroupOf group(model, groups);
-  if (groups.size() != at(group.count()) + shape_of_.size()) throw std::invalid_argument("ArmLines: a group of each obstacle is wanted");
+  if (groups.size() != at(group.count()) + shape_of.size()) throw std::invalid_argument("ArmLines: a group of each obstacle is wanted");
   if (ends_.empty()) return;
   robot_.kept_of_pairs.assign(robot_.pairs.size(), robot_.grow);
   for (EndPair& end : ends_) {
@@ -122,7 +127,7 @@ void ArmLines::keep_less_at_ends(const Model& model, const std::vector<BallGroup
     const int of[2] = {end.link_a, end.link_b};
     bool stands = false;  // one of them, in the world
     for (const int k : {0, 1}) {
-      const int shape = of[k] < model.link_count() ? -1 : shape_of_[at(of[k] - model.link_count())];
+      const int shape = of[k] < model.link_count() ? -1 : shape_of[at(of[k] - model.link_count())];
       if (shape < 0) continue;
       stands = true;
       robot_.kept_of_shapes.push_back({robot_.group_of[at(group(of[1 - k]))], shape, kept});

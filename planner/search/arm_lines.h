@@ -33,12 +33,11 @@ class ArmLines : public LineTest {
   std::int64_t settled() const { return settled_; }  // lines that took exact distances
 
  private:
-  void keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups);
+  void keep_less_at_ends(const Model& model, const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles);
   bool proves(const std::array<JointPoint, 4>& curve, double room, int halvings);
 
   EdgeCheck* exact_;
   BlockScene scene_;
-  std::vector<int> shape_of_;  // of obstacles that take part: in the scene, -1 of what is held
   BlockRobot robot_;
   std::vector<EndPair> ends_;  // with the margins that lines keep
   BlockCheck check_;

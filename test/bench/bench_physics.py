@@ -12,7 +12,7 @@ import statistics
 import sys
 
 import stability_map
-from physics_lab import DURATION, Lab, call, cost_at, error, median_of, ratio, slope
+from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
 
 short_of = []
 rows = []
@@ -152,59 +152,14 @@ def push_of(lab, scene, rounds):
             cheaper(scene, wanted, least, peer, found)
 
 
-# As the ladder of `accuracy` (launcher/run/ladder.h): margin of the error asked for, to what part of it the finest two runs
-# agree, from which ratio on two steps have room for one between, how many of those there are.
-MARGIN, AGREEMENT, WIDE, BETWEEN = 1.3, 2.0, 1.6, 4
 # Of MuJoCo: its explicit methods hold 0.1 mm as soon as they are stable, so what lies near that bound is not to be interpolated.
 PEER_STEPS = (5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1.5e-4, 1.2e-4, 1e-4, 6e-5, 5e-5, 4.5e-5, 4e-5, 2e-5)  # [s]
-RUNGS = (1e-1, 4e-2, 2e-2, 1e-2, 4e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4)  # [s]
 
 
-def chosen_by_accuracy(orders, scene, wanted, read):
-    """(engine, step, distance from the yardstick) that the ladder delivers for an error [m], or None.  orders: engines of order 1, 2, 3; read(engine,
-    step) is what a run ends with.  The least work is taken, in solves as the engine counts them."""
-    ladder, last = {engine: {} for engine in orders}, None
-    for step in RUNGS:
-        for engine in orders:
-            ladder[engine][step] = read(engine, step)
-        top = ladder[orders[-1]][step]
-        if last and top and error(last, top) <= wanted / AGREEMENT:
-            break
-        last = top
-    else:
-        return None
-
-    def holding():
-        """(work, engine, step) of the runs that hold the error together with all finer ones of their order, and by engine the
-        step of the finest that does not."""
-        held, fails = [], {}
-        for engine in orders:
-            for step, run in sorted(ladder[engine].items()):
-                if not run or error(run, top) > wanted / MARGIN:
-                    fails[engine] = step
-                    break
-                held.append((run["work"], engine, step))
-        return held, fails
-
-    for _ in range(BETWEEN):
-        held, fails = holding()
-        if not held:
-            return None
-        least = min(work for work, _, _ in held)
-        for engine in orders:
-            own = [(work, step) for work, other, step in held if other is engine]
-            if not own or engine not in fails or not ladder[engine][fails[engine]]:
-                continue
-            (work, step), coarse = own[-1], fails[engine]
-            if math.sqrt(work * ladder[engine][coarse]["work"]) < least and coarse >= WIDE * step:
-                count = round(DURATION[scene] / math.sqrt(step * coarse))
-                ladder[engine][DURATION[scene] / count] = read(engine, DURATION[scene] / count)
-                break
-        else:
-            break
-    held, _ = holding()
-    _, engine, step = min(held, key=lambda each: each[0])
-    return engine, step, error(ladder[engine][step], top)
+def chosen_by_accuracy(lab, orders, scene, wanted):
+    """(engine, step) that the ladder of `accuracy` delivers for an error [m], or None.  orders: engines of order 1, 2, 3."""
+    words = call(lab.bin / "accuracy_choice", scene, wanted)[0].split()
+    return (orders[int(words[1]) - 1], float(words[2])) if words[0] == "chosen" else None
 
 
 def accuracy(lab, rounds):
@@ -229,10 +184,10 @@ def accuracy(lab, rounds):
             costs = {}
             for wanted in (1e-3, 1e-4):
                 if wanted not in known:
-                    known[wanted] = chosen_by_accuracy(orders, scene, wanted, lambda engine, step, scene=scene: engine.run(scene, step, 3))
+                    known[wanted] = chosen_by_accuracy(lab, orders, scene, wanted)
                 if not known[wanted]:
                     continue
-                engine, step, _ = known[wanted]
+                engine, step = known[wanted]
                 theirs = [(cost_at([(e, c) for _, e, c in points], wanted), peer) for peer, points in curves.items()]
                 (cost, far), peer = min(((c, p) for c, p in theirs if c[0]), key=lambda each: each[0][0])
                 costs[wanted] = engine.run(scene, step, 3)["cost"], cost, far, peer
@@ -241,7 +196,7 @@ def accuracy(lab, rounds):
             if not known.get(wanted):
                 row("accuracy", f"{scene} at {1e3 * wanted:g} mm", "chosen", "none", False)
                 continue
-            engine, step, distance = known[wanted]
+            engine, step = known[wanted]
             true = error(engine.run(scene, step, 1), finest)
             _, _, far, peer = found[0][wanted]
             what = f"{scene} at {1e3 * wanted:g} mm: {engine.method} at {1e3 * step:.3g} ms"

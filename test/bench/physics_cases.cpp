@@ -152,7 +152,6 @@ void run(const std::string& name, const std::string& method, double h, int repea
     const SolveCounters& c = ours->counters();
     std::printf(" counters %ld %ld %ld %ld %ld", c.steps, c.newton, ours->unconverged(),
                 ours->joint_passes(), ours->unsettled());
-    std::printf(" work %.6g", world->work() / (static_cast<double>(costs.size()) * scene.duration));
   }
   std::printf("\n");
 }

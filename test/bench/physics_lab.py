@@ -141,21 +141,19 @@ def tree_of(mjcf):
 
 
 def parse_run(lines):
-    """CPU ms and, of ours, solves per simulated second and the final centres of mass, or None."""
+    """CPU ms per simulated second and the final centres of mass, or None."""
     if not lines:
         return None
     words = lines[-1].split()
     if "ms_per_s" not in words:
         return None
     at = words.index("at")
-    work = float(words[words.index("work") + 1]) if "work" in words else None
-    words = words[:words.index("work")] if work is not None else words
     end = words.index("counters") if "counters" in words else len(words)
     values = [float(word) for word in words[at + 1:end]]
     if not all(math.isfinite(value) for value in values):
         return None
     counters = [int(word) for word in words[end + 1:]]
-    return {"cost": float(words[words.index("ms_per_s") + 1]), "at": values, "counters": counters, "work": work}
+    return {"cost": float(words[words.index("ms_per_s") + 1]), "at": values, "counters": counters}
 
 
 def error(run, reference):
