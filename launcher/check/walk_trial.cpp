@@ -30,6 +30,9 @@ constexpr double kFroude = 0.45;       // of sqrt(g l), at most tried
 constexpr double kSlower = 0.65;       // the next speed after one that failed
 constexpr int kSlowerTimes = 5, kBisections = 3;
 constexpr double kGain = 1.08;         // a gait that does not walk so much faster is not worth a setting
+constexpr double kPlenty = 0.16;       // of sqrt(g l) [1]: who walks so fast gives up no margin for more
+constexpr double kCalm = 0.5;          // of the usual gait's largest speed: where margins are compared
+constexpr double kMargin = 0.9;        // of the usual gait's least margin of the zero-moment point
 constexpr double kPinned = 0.98;       // of a limit: the joint is at it
 constexpr double kNearEnd = 0.01;      // of a range: the joint is at its end [rad]
 
@@ -132,6 +135,8 @@ class Search {
   int runs() const { return runs_; }
   const std::string& failure() const { return failure_; }
   const std::string& limit() const { return limit_; }
+  // Of the last walk: how near the zero-moment point came to the soles' edge [m].
+  double margin() const { return margin_; }
 
   // Whether it walks so; why not: failure(), limit().
   bool walks(const GaitChoice& gait, double speed, double seconds) {
@@ -139,6 +144,7 @@ class Search {
     take(gait);
     failure_.clear();
     limit_.clear();
+    margin_ = -1.0;
     try {
       const Scene scene = walk_scene(model_, speed, seconds);
       OneProcess run(model_, scene, {});
@@ -149,6 +155,7 @@ class Search {
         const double time = static_cast<double>(run.ticks()) * model_.period();
         if (time > 0.4) limits.add(run.state(), time - kStart);
       }
+      margin_ = run.seen().figures().zmp_margin_min;
       const RunVerdict verdict = judge_scene(run, scene.criteria, run.ticks());
       if (verdict.passed && run.ticks() >= ticks) return true;
       for (const std::string& failure : verdict.failures) failure_ += (failure_.empty() ? "" : ", ") + failure;
@@ -178,6 +185,7 @@ class Search {
   Model model_;
   std::string yaml_, failure_, limit_;
   double ends_;  // [s]
+  double margin_ = -1.0;  // [m]
   int runs_ = 0;
 };
 
@@ -223,14 +231,19 @@ double verified(Search& search, const GaitChoice& gait, double speed) {
   return 0.0;
 }
 
-// One after the other each way that a gait may differ; what walks faster is kept.
-GaitChoice tuned(Search& search, const Gait& usual, double leg, double start, double& speed) {
+// One after the other each way that a gait may differ; what walks faster is kept.  A robot that is fast enough keeps its margins: scenes ask
+// for them, and a shorter step that is faster may have the zero-moment point at the edge.
+GaitChoice tuned(Search& search, const Gait& usual, double leg, double& speed) {
   GaitChoice best;
-  double target = std::max(start, 0.08 * std::sqrt(kGravity * leg));
+  const double scale = std::sqrt(kGravity * leg);
+  const double target = 0.5 * kPlenty * scale, calm = kCalm * speed;
+  const double margin = speed >= kPlenty * scale && search.walks({}, calm, kShort) ? kMargin * search.margin() : -1.0;
+  const auto keeps_margin = [&](const GaitChoice& gait) { return margin < 0.0 || (search.walks(gait, calm, kShort) && search.margin() >= margin); };
   const auto try_one = [&](GaitChoice gait) {
     for (int k = 0; k < 3 && search.time_left(); ++k) {
       const double wanted = speed > 0.0 ? kGain * speed : target;
       if (wanted > search.fastest_of_legs(gait) || !search.walks(gait, wanted, kShort)) return;
+      if (k == 0 && !keeps_margin(gait)) return;
       best = gait;
       speed = wanted;
     }
@@ -309,7 +322,7 @@ WalkTrial find_walk(const Model& model, double patience) {
   double start = found.speed > 0.0 ? verified(search, choice, found.speed) : 0.0;
   if (search.time_left()) {
     double speed = start;
-    const GaitChoice other = tuned(search, usual, trial.leg, 0.5 * start, speed);
+    const GaitChoice other = tuned(search, usual, trial.leg, speed);
     if (!other.text().empty() && speed > start) {
       const double reached = verified(search, other, speed);
       if (reached > kGain * start) {
