@@ -23,6 +23,7 @@ constexpr double kLies = 1e-5;         // of kEvery a loose body that lies still
 constexpr double kTwin = 1e-12;        // relative, and [m]
 constexpr double kParted = 1e-6;       // [m]: what converges parts by less than 1e-8
 constexpr double kMargin = 1.3;        // of the error asked for
+constexpr double kSure = 0.97;         // of it may be used up where two methods say how well the yardstick is known
 constexpr double kAgreement = 2.0;     // of it the finest two runs agree to so small a part
 constexpr double kSecond = 3.0;        // times it order 2 may be off where they do
 constexpr double kWide = 1.6;          // two steps of which one is so many times the other have room for one between
@@ -199,10 +200,17 @@ std::string Ladder::why_none_holds(double error) const {
   return why;
 }
 
+double Ladder::allowed(double error) const {
+  const Rung* second = finest_second(rungs);
+  const double known = second == nullptr ? kInfinity : agreement + second->apart;
+  return std::max(error / kMargin, kSure * error - known);
+}
+
 bool Ladder::holds(const Rung& rung, double error) const {
+  const double most = allowed(error);
   return std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
     if (!same_method(finer, rung) || finer.step > rung.step) return true;
-    return finer.whole && finer.apart <= error / kMargin;
+    return finer.whole && finer.apart <= most;
   });
 }
 

@@ -5,7 +5,8 @@
 // to half the error asked for and that of order 2 lies within three times it (after impacts two runs may agree by
 // luck).  The last is the yardstick; then come finer steps of lower orders while one may be cheaper than what is chosen
 // so far, and steps between those of the ladder next to the cheapest.  Delivered is the cheapest run that lies
-// within the error / 1.3 of the yardstick, together with all finer ones of its order.  Richardson's rule is not
+// within the error / 1.3 of the yardstick, together with all finer ones of its order; or within 0.97 of the error less what the
+// yardstick may be off by, which is how far the finest runs of orders 2 and 3 and the finest two of order 3 are apart.  Richardson's rule is not
 // used: where there are events it is wrong.
 //
 // Cheap is what takes little work as the engine counts it, in solves: what a clock says changes with the machine, and a
@@ -87,6 +88,8 @@ struct Ladder {
   bool proven(double error) const;
   // For people: why choose() finds none, nothing parted.
   std::string why_none_holds(double error) const;
+  // How far a run may be from the yardstick where that error is asked for [m].
+  double allowed(double error) const;
   // Whether a run and all finer ones of its order hold it.
   bool holds(const Rung& rung, double error) const;
   // The cheapest that holds the error together with all finer ones of its order; -1: none does.

@@ -39,6 +39,18 @@ TEST(Ladder, TheCheapestIsTakenThatHoldsTogetherWithAllFinerOnes) {
   EXPECT_EQ(l.choose(2e-4), 2);   // order 2 at 2 ms does not; order 3 costs as much as the finer one of 2 does
 }
 
+TEST(Ladder, WhereTwoMethodsKnowTheYardstickNearlyAllOfTheErrorMayBeUsed) {
+  Ladder l = ladder();
+  l.rungs[3].apart = 4e-4;
+  l.rungs[0].apart = 8.5e-4;  // order 1 at 2 ms: above 1 mm / 1.3
+  EXPECT_EQ(l.choose(1e-3), 3);  // order 2 and the finest two of order 3 leave 0.97 - 0.19 mm
+  l.agreement = 2e-5;
+  l.rungs[4].apart = 3e-5;
+  EXPECT_EQ(l.choose(1e-3), 0);
+  l.rungs[0].apart = 9.4e-4;
+  EXPECT_EQ(l.choose(1e-3), 3);
+}
+
 TEST(Ladder, WorkDecidesAndNotWhatABusyMachineMeasured) {
   Ladder l = ladder();
   l.rungs[4].cost = 5.0;  // order 2 at 1 ms
