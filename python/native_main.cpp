@@ -183,6 +183,28 @@ nb::dict describe(const Model& model) {
   return found;
 }
 
+// orientation: empty, or w x y z.
+RobotQuery::Place place_of(const std::array<double, 3>& position, const std::vector<double>& orientation) {
+  RobotQuery::Place place{.position = vector_of(position), .orientation = {}};
+  if (orientation.empty()) return place;
+  if (orientation.size() != 4) throw nb::value_error("orientation: four numbers, w x y z");
+  place.orientation.emplace(orientation[0], orientation[1], orientation[2], orientation[3]);
+  return place;
+}
+
+// Shape, size, position, attitude w x y z.
+using BoxOrBall = std::tuple<int, std::array<double, 3>, std::array<double, 3>, std::array<double, 4>>;
+
+Obstacle obstacle_of(const BoxOrBall& said) {
+  const auto& [shape, size, position, attitude] = said;
+  Obstacle obstacle;
+  obstacle.shape = static_cast<ObstacleShape>(shape);
+  obstacle.size = vector_of(size);
+  obstacle.pose.translation() = vector_of(position);
+  obstacle.pose.linear() = Eigen::Quaterniond(attitude[0], attitude[1], attitude[2], attitude[3]).normalized().toRotationMatrix();
+  return obstacle;
+}
+
 template <class T>
 T decoded(const nb::bytes& body) {
   T value;
@@ -332,12 +354,25 @@ void bind_robot(nb::module_& m) {
              const Turn turn(self.busy);
              return self.is->nearest(list_of(q), most);
            })
-      .def("plan", [](Query& self, const Numbers& q, const std::string& hand, const std::array<double, 3>& position, double speed,
-                      std::uint64_t seed) {
+      .def("inverse", [](Query& self, const Numbers& q, const std::string& hand, const std::array<double, 3>& position,
+                         const std::vector<double>& orientation) {
         const Turn turn(self.busy);
         nb::gil_scoped_release free;
-        return self.is->plan(list_of(q), hand, vector_of(position), speed, seed);
+        return self.is->inverse(list_of(q), hand, place_of(position, orientation));
+      })
+      .def("plan", [](Query& self, const Numbers& q, const std::string& hand, const std::array<double, 3>& position,
+                      const std::vector<double>& orientation, const std::vector<BoxOrBall>& obstacles, double speed, std::uint64_t seed) {
+        const Turn turn(self.busy);
+        nb::gil_scoped_release free;
+        std::vector<Obstacle> all;
+        for (const BoxOrBall& each : obstacles) all.push_back(obstacle_of(each));
+        return self.is->plan(list_of(q), hand, place_of(position, orientation), all, speed, seed);
       });
+  nb::class_<RobotQuery::Reached>(m, "Reached")
+      .def_ro("reached", &RobotQuery::Reached::reached)
+      .def_ro("q", &RobotQuery::Reached::q)
+      .def_ro("position_error", &RobotQuery::Reached::position_error)
+      .def_ro("rotation_error", &RobotQuery::Reached::rotation_error);
   nb::class_<RobotQuery::Near>(m, "Near")
       .def_ro("link_a", &RobotQuery::Near::link_a)
       .def_ro("link_b", &RobotQuery::Near::link_b)

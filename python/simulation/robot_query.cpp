@@ -6,6 +6,7 @@
 
 #include "common/text/closest_name.h"
 #include "robot/description/load.h"
+#include "robot/kinematics/inverse_kinematics.h"
 
 namespace twinbus {
 
@@ -13,6 +14,20 @@ namespace {
 
 constexpr double kFar = 1.0;  // [m]
 constexpr int kMostPairs = 10'000;
+constexpr int kIkTries = 16;
+
+// A place as a pose.
+Eigen::Isometry3d checked(const RobotQuery::Place& place) {
+  if (!place.position.allFinite()) throw std::invalid_argument("position: not finite");
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = place.position;
+  if (place.orientation) {
+    const double length = place.orientation->norm();
+    if (!(length > 1e-6 && length < 1e6)) throw std::invalid_argument("orientation: a quaternion w x y z, not of length zero");
+    pose.linear() = place.orientation->normalized().toRotationMatrix();
+  }
+  return pose;
+}
 
 }  // namespace
 
@@ -93,18 +108,53 @@ std::vector<RobotQuery::Near> RobotQuery::nearest(const std::vector<double>& q, 
   return found;
 }
 
-RobotQuery::Path RobotQuery::plan(const std::vector<double>& q, const std::string& hand,
-                                  const Eigen::Vector3d& position, double speed, std::uint64_t seed) {
+ArmSide RobotQuery::side(const std::string& hand) const {
   if (hand != "left" && hand != "right") throw std::invalid_argument("hand: left or right, not '" + hand + "'");
-  if (!position.allFinite()) throw std::invalid_argument("position: not finite");
-  if (!(speed > 0.0 && speed <= 1.0)) throw std::invalid_argument("speed: above 0, at most 1");
-  place(q);
-  if (!planner_) planner_ = std::make_unique<ArmPlanner>(*model_);
+  const ArmSide side = hand == "left" ? ArmSide::kLeft : ArmSide::kRight;
+  if (model_->hands[side == ArmSide::kLeft ? 0 : 1].link < 0) throw std::invalid_argument("the robot has no " + hand + " hand");
+  return side;
+}
+
+RobotQuery::Reached RobotQuery::inverse(const std::vector<double>& q, const std::string& hand, const Place& place) {
+  const Hand& arm = model_->hands[side(hand) == ArmSide::kLeft ? 0 : 1];
+  const Eigen::Isometry3d target = checked(place);
+  this->place(q);
+  const int trunk = model_->joints[static_cast<std::size_t>(arm.joints.front())].parent;
+  InverseKinematics kinematics(*model_, trunk, arm.link, arm.frame);
+  IkOptions options;
+  options.restarts = kIkTries;
+  if (!place.orientation) options.rotation_weight = 0.0;
+  Reached found;
+  const IkResult result = kinematics.solve(kinematics_.link_in_world(trunk).inverse() * target, options, configuration_.q);
+  found.reached = result.reached;
+  found.position_error = result.position_error;
+  found.rotation_error = place.orientation ? result.rotation_error : 0.0;
+  for (const int j : model_->bus_joints) found.q.push_back(configuration_.q[j]);
+  return found;
+}
+
+RobotQuery::Path RobotQuery::plan(const std::vector<double>& q, const std::string& hand, const Place& place,
+                                  const std::vector<Obstacle>& obstacles, double speed, std::uint64_t seed) {
   ArmGoal goal;
+  goal.side = side(hand);
+  const Eigen::Isometry3d target = checked(place);
+  if (!(speed > 0.0 && speed <= 1.0)) throw std::invalid_argument("speed: above 0, at most 1");
+  if (obstacles.size() > Collision::kMaxObstacles) {
+    throw std::invalid_argument("obstacles: at most " + std::to_string(Collision::kMaxObstacles));
+  }
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (!takes_part(obstacles[i], *model_)) {
+      throw std::invalid_argument("obstacle " + std::to_string(i + 1) + ": its size must be positive and its numbers finite");
+    }
+  }
+  this->place(q);
+  if (!planner_) planner_ = std::make_unique<ArmPlanner>(*model_);
+  planner_->set_obstacles(obstacles);
   goal.goal_id = 1;
-  goal.side = hand == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  goal.kind = ArmGoalKind::kPosition;
-  goal.position = {position.x(), position.y(), position.z()};
+  goal.kind = place.orientation ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
+  Eigen::Map<Eigen::Vector3d>(goal.position.data()) = target.translation();
+  const Eigen::Quaterniond turn(target.linear());
+  goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
   goal.speed = static_cast<float>(speed);
   const ArmPlan plan = planner_->plan(goal, configuration_, Eigen::Isometry3d::Identity(), seed);
   Path path;

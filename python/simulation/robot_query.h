@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,14 +48,30 @@ class RobotQuery {
     std::vector<double> time;         // of the knots [s]; empty: no path
     Rows q, qd;                       // [knots][joints]; cubic Hermite between knots
   };
-  // A motion of an arm from posture q that keeps clear of the body and brings the hand to a place of the base frame [m].
-  // hand: left or right; speed: share of the joints' velocity limits, up to 1; equal seeds, equal paths.
-  Path plan(const std::vector<double>& q, const std::string& hand, const Eigen::Vector3d& position, double speed,
-            std::uint64_t seed);
+  // Where a hand's frame is wanted, in the base frame; without an orientation any will do.
+  struct Place {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
+    std::optional<Eigen::Quaterniond> orientation;       // normalised here
+  };
+  struct Reached {
+    bool reached = false;
+    std::vector<double> q;        // the posture nearest to the place; only joints of the arm differ from the start's
+    double position_error = 0.0;  // [m]
+    double rotation_error = 0.0;  // [rad]; 0 without an orientation
+  };
+  // A posture in which the arm has its hand there, found from posture q on, within the joints' limits; nothing looks at what touches.
+  // hand: left or right.
+  Reached inverse(const std::vector<double>& q, const std::string& hand, const Place& place);
+
+  // A motion of an arm from posture q that keeps clear of the body and of the obstacles (poses in the base frame) and brings the hand to
+  // a place.  hand: left or right; speed: share of the joints' velocity limits, up to 1; equal arguments, equal paths.
+  Path plan(const std::vector<double>& q, const std::string& hand, const Place& place, const std::vector<Obstacle>& obstacles,
+            double speed, std::uint64_t seed);
 
  private:
   void place(const std::vector<double>& q);
   const Frame& frame(const std::string& link) const;
+  ArmSide side(const std::string& hand) const;
 
   std::unique_ptr<Model> model_;
   Kinematics kinematics_;

@@ -35,10 +35,11 @@ from .messages import *  # noqa: F401,F403  (the types themselves: twinbus.robot
 from .stack import Stack
 
 if TYPE_CHECKING:
-    from .robot import ArmPath as ArmPath, Robot as Robot
+    from .robot import ArmPath as ArmPath, Obstacle as Obstacle, Reached as Reached, Robot as Robot
     from .simulation import RobotInfo as RobotInfo, Simulation as Simulation, Worlds as Worlds
 
-_COMPILED = {'Simulation': 'simulation', 'Worlds': 'simulation', 'RobotInfo': 'simulation', 'Robot': 'robot', 'ArmPath': 'robot'}
+_COMPILED = {'Simulation': 'simulation', 'Worlds': 'simulation', 'RobotInfo': 'simulation', 'Robot': 'robot', 'ArmPath': 'robot', 'Reached': 'robot',
+             'Obstacle': 'robot'}
 
 
 def __getattr__(name: str) -> Any:

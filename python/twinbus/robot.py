@@ -47,6 +47,41 @@ class ArmPath:
                           + (3 * s**2 - 2 * s**3) * self.q[k + 1] + (s**3 - s**2) * h * self.qd[k + 1])
 
 
+@dataclasses.dataclass(frozen=True)
+class Reached:
+    """What inverse kinematics found."""
+    reached: bool
+    """Whether the hand is where it is wanted, within 1 um and 1 urad."""
+    q: Floats
+    """The nearest posture that was found [joints]; only joints of the arm differ from the start's."""
+    position_error: float
+    """[m]"""
+    rotation_error: float
+    """[rad]; 0 without an orientation."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Obstacle:
+    """Something in the way of an arm, in the base frame."""
+    shape: str
+    """'box', 'sphere' or 'cylinder' (along its z axis)."""
+    size: tuple[float, ...]
+    """Of a box its edges [3], of a sphere its radius [1], of a cylinder radius and length [2], m."""
+    position: tuple[float, float, float]
+    """Of its middle, m."""
+    attitude: tuple[float, float, float, float] = (1.0, 0.0, 0.0, 0.0)
+    """w x y z."""
+
+    def _said(self) -> tuple[int, list[float], list[float], list[float]]:
+        numbers = {'box': 3, 'sphere': 1, 'cylinder': 2}
+        if self.shape not in numbers:
+            raise ValueError(f"shape: 'box', 'sphere' or 'cylinder', not {self.shape!r}")
+        if len(self.size) != numbers[self.shape]:
+            raise ValueError(f"size of a {self.shape}: {numbers[self.shape]} numbers, not {len(self.size)}")
+        size = [float(x) for x in self.size] + [0.0] * (3 - len(self.size))
+        return list(numbers).index(self.shape) + 1, size, [float(x) for x in self.position], [float(x) for x in self.attitude]
+
+
 class Robot:
     """A robot of config/robots or of a folder; its base is at the origin.
 
@@ -74,13 +109,27 @@ class Robot:
         """The nearest pairs of links that are checked against each other and nearer than 1 m: names and distance [m] (below zero: depth)."""
         return [(pair.link_a, pair.link_b, pair.distance) for pair in self._native.nearest(_joints(q), most)]
 
-    def plan(self, q: Sequence[float] | Floats, hand: str, position: Sequence[float] | Floats, speed: float = 0.4, seed: int = 1) -> ArmPath:
-        """A motion from posture q that keeps clear of the body and brings a hand ('left', 'right') to a place of the base frame [3], m.
+    def inverse(self, q: Sequence[float] | Floats, hand: str, position: Sequence[float] | Floats,
+                orientation: Sequence[float] | Floats | None = None) -> Reached:
+        """Inverse kinematics: a posture in which a hand ('left', 'right') is at a place of the base frame [3], m, with an orientation [4],
+        w x y z, if one is given.  Found from posture q on, within the joints' limits; nothing looks at what touches (nearest, plan)."""
+        said = self._native.inverse(_joints(q), hand, [float(x) for x in position], _turn(orientation))
+        return Reached(said.reached, np.array(said.q), said.position_error, said.rotation_error)
+
+    def plan(self, q: Sequence[float] | Floats, hand: str, position: Sequence[float] | Floats, speed: float = 0.4, seed: int = 1, *,
+             orientation: Sequence[float] | Floats | None = None, obstacles: Sequence[Obstacle] = ()) -> ArmPath:
+        """A motion from posture q that keeps clear of the body and of the obstacles, and brings a hand ('left', 'right') to a place of the
+        base frame [3], m, with an orientation [4], w x y z, if one is given.
         speed: share of the joints' velocity limits, up to 1.  Equal arguments, equal paths."""
-        said = self._native.plan(_joints(q), hand, [float(x) for x in position], speed, seed)
+        said = self._native.plan(_joints(q), hand, [float(x) for x in position], _turn(orientation),
+                                 [obstacle._said() for obstacle in obstacles], speed, seed)
         columns = len(said.joints)
         return ArmPath(said.text, tuple(said.joints), np.array(said.time), np.array(said.q).reshape(-1, columns),
                        np.array(said.qd).reshape(-1, columns))
+
+
+def _turn(orientation: Sequence[float] | Floats | None) -> list[float]:
+    return [] if orientation is None else [float(x) for x in orientation]
 
 
 def _joints(q: Sequence[float] | Floats) -> Floats:

@@ -47,7 +47,7 @@ class State:
     accel: Singles
     """Specific force in the frame of the IMU [3], m/s^2."""
     wrench: Singles
-    """[4, 6]: left foot, right foot, left hand, right hand; force [N] and torque [N m] on the robot, sensor frame."""
+    """[8, 6]: six feet (left, right, then the others), left hand, right hand; force [N] and torque [N m] on the robot, sensor frame."""
     ticks: NDArray[np.int64]
     """[1] or [worlds]: number of this state."""
     stop_kinds: NDArray[np.int8]

@@ -127,6 +127,48 @@ class Simulations(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "28 numbers, the robot has 29"):
             robot.com(q[1:])
 
+    def test_a_hand_is_placed_and_turned(self):
+        robot, side, turn = twinbus.Robot("hrp1s"), "left", (0.7071068, 0.0, -0.7071068, 0.0)
+        q = robot.info.poses["half_sitting"]
+        found = robot.inverse(q, side, (0.35, 0.25, 0.15), turn)
+        self.assertTrue(found.reached, found)
+        self.assertLess(found.position_error, 1e-5)
+        there = robot.inverse(found.q, side, (0.35, 0.25, 0.15), turn)
+        np.testing.assert_allclose(there.q, found.q, atol=1e-4)
+        self.assertTrue(np.all(found.q >= robot.info.lower) and np.all(found.q <= robot.info.upper))
+        far = robot.inverse(q, side, (3.0, 0.0, 0.4))
+        self.assertFalse(far.reached)
+        self.assertGreater(far.position_error, 1.0)
+        path = robot.plan(q, side, (0.35, 0.25, 0.15), orientation=turn)
+        self.assertTrue(path.found, path.text)
+        end = np.array(q)
+        end[[robot.info.joints.index(name) for name in path.joints]] = path.at(99.0)
+        hand = robot.inverse(end, side, (0.35, 0.25, 0.15), turn)
+        np.testing.assert_allclose(hand.q, end, atol=2e-3)
+        with self.assertRaisesRegex(ValueError, "no left hand"):
+            twinbus.Robot("pendulum").inverse([0.0], "left", (0.4, 0.0, 0.4))
+        with self.assertRaisesRegex(ValueError, "quaternion"):
+            robot.inverse(q, side, (0.4, 0.0, 0.4), (0.0, 0.0, 0.0, 0.0))
+        with self.assertRaisesRegex(ValueError, "four numbers"):
+            robot.plan(q, side, (0.4, 0.0, 0.4), orientation=(1.0, 0.0, 0.0))
+
+    def test_a_way_goes_round_what_is_in_it(self):
+        robot = twinbus.Robot("hrp1s")
+        q, goal = robot.info.poses["half_sitting"], (0.35, 0.25, 0.1)
+        self.assertTrue(robot.plan(q, "left", goal).found)
+        beside = robot.plan(q, "left", goal, obstacles=[twinbus.Obstacle("sphere", (0.05,), (0.35, 0.25, 0.3))])
+        self.assertTrue(beside.found, beside.text)
+        inside = robot.plan(q, "left", goal, obstacles=[twinbus.Obstacle("box", (0.1, 0.1, 0.1), goal)])
+        self.assertFalse(inside.found)
+        self.assertIn("obstacle", inside.text)
+        self.assertTrue(robot.plan(q, "left", goal).found)  # the next question knows nothing of it
+        for obstacle, said in ((twinbus.Obstacle("cone", (0.1,), goal), "'box', 'sphere' or 'cylinder'"),
+                               (twinbus.Obstacle("box", (0.1,), goal), "3 numbers, not 1"),
+                               (twinbus.Obstacle("sphere", (-0.1,), goal), "obstacle 1: its size must be positive"),
+                               (twinbus.Obstacle("sphere", (0.1,), (np.nan, 0.0, 0.0)), "obstacle 1")):
+            with self.assertRaisesRegex(ValueError, said):
+                robot.plan(q, "left", goal, obstacles=[obstacle])
+
 
 @unittest.skipIf(gymnasium is None, "no gymnasium")
 class Environments(unittest.TestCase):
