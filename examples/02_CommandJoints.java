@@ -4,10 +4,7 @@
 //   java -Djava.net.preferIPv4Stack=true -cp "$CLASSPATH" examples/02_CommandJoints.java
 
 import java.security.SecureRandom;
-import lcm.lcm.LCM;
-import lcm.lcm.LCMDataInputStream;
-import lcm.lcm.LCMDataOutputStream;
-import lcm.lcm.LCMSubscriber;
+import lcm.lcm.*;
 import twinbus.joint_command_t;
 import twinbus.robot_state_t;
 import twinbus.source_status_t;
@@ -17,7 +14,7 @@ public class CommandJoints implements LCMSubscriber {
   static final int[][] GAINS = {{0, 5, 15000, 300}, {6, 9, 3000, 60}, {10, 12, 600, 6}, {13, 18, 15000, 300},
     {19, 22, 3000, 60}, {23, 25, 600, 6}, {26, 28, 15000, 300}};
   final joint_command_t command = new joint_command_t();
-  boolean holding = false, told = false;
+  boolean holding = false, told = false;  long stopped = 0;
 
   // The first run of anything takes Java tens of milliseconds, longer than a robot waits for a command.
   void warm_up(LCM lcm) throws java.io.IOException {
@@ -38,7 +35,9 @@ public class CommandJoints implements LCMSubscriber {
     try {
       if (channel.equals("SOURCE_STATUS")) { hear(new source_status_t(in)); return; }
       robot_state_t state = new robot_state_t(in);
-      if (!holding) { command.q = state.q.clone(); command.tau = state.tau.clone(); holding = true; }
+      if (!holding) { command.q = state.q.clone(); command.tau = state.tau.clone(); stopped = state.time_ns; holding = true; }
+      if (state.stop_kind != 1) stopped = state.time_ns;  // a balanced stop: it rests by itself for half a second, then is held
+      command.flags = (short) (state.time_ns > stopped && state.time_ns - stopped < 500000000L ? 1 : 0);
       command.tick = state.tick;  // which tick, source, term and robot this answers
       command.run_id = state.run_id; command.term = state.term;
       command.model_hash = state.model_hash; command.joint_count = state.joint_count;

@@ -21,7 +21,7 @@ struct Controller {
   bool told = false;
   int joint = -1;
   double by = 0.0, start = 0.0;  // [rad]
-  std::int64_t begin_ns = 0;
+  std::int64_t begin_ns = 0, stopped_ns = 0;
   void on_status(const lcm::ReceiveBuffer*, const std::string&, const twinbus::source_status_t* status) {
     const bool other = status->role == 2 && status->controller_id != 0 && status->controller_id != command.controller_id;
     if (other && !told) std::puts("command_joints: NOT OBEYED, another controller is; end it, then ./twinbus clear");
@@ -29,18 +29,18 @@ struct Controller {
   }
   void on_state(const lcm::ReceiveBuffer*, const std::string&, const twinbus::robot_state_t* state) {
     if (begin_ns == 0) {
-      begin_ns = state->time_ns;
+      begin_ns = stopped_ns = state->time_ns;
       std::memcpy(command.q, state->q, sizeof command.q);
       std::memcpy(command.tau, state->tau, sizeof command.tau);
       start = state->q[joint < 0 ? 0 : joint];
     }
     const double t = 1e-9 * static_cast<double>(state->time_ns - begin_ns);
-    if (joint >= 0) command.q[joint] = start + by * 0.5 * (1.0 - std::cos(0.5 * M_PI * t));
+    if (state->stop_kind != 1) stopped_ns = state->time_ns;  // a balanced stop: it rests by itself, then is held
+    command.flags = state->time_ns > stopped_ns && state->time_ns - stopped_ns < 500000000 ? 1 : 0;
+    if (joint >= 0 && state->stop_kind != 1) command.q[joint] = start + by * 0.5 * (1.0 - std::cos(0.5 * M_PI * t));
     command.tick = state->tick;  // which tick, source, term and robot this answers
-    command.run_id = state->run_id;
-    command.term = state->term;
-    command.model_hash = state->model_hash;
-    command.joint_count = state->joint_count;
+    command.run_id = state->run_id, command.term = state->term;
+    command.model_hash = state->model_hash, command.joint_count = state->joint_count;
     bus.publish("COMMAND", &command);
   }
 };

@@ -26,7 +26,7 @@ def main() -> None:
         for joint in range(first, last + 1):
             kp[joint], kd[joint] = stiffness, damping
 
-    bus, me = twinbus.Bus(), twinbus.new_id()
+    bus, me, stopped = twinbus.Bus(), twinbus.new_id(), 0
     bus.listen('STATE', 'SOURCE_STATUS')
     obedience = twinbus.Obedience(me)
     found = None
@@ -40,13 +40,16 @@ def main() -> None:
         if state is None:
             continue
         if found is None:
-            found = state
+            found, q, stopped = state, list(state.q), state.time_ns
             print(f'command_joints: holding {state.joint_count} joints', flush=True)
-        q = list(found.q)
-        if arguments.joint is not None:  # up and down every 4 s, by the robot's own time
-            t = 1e-9 * (state.time_ns - found.time_ns)
-            q[arguments.joint] += arguments.by * 0.5 * (1.0 - math.cos(0.5 * math.pi * t))
-        bus.send('COMMAND', twinbus.command_for(state, me, q, tau=found.tau, kp=kp, kd=kd))
+        if state.stop_kind != 1:
+            q, stopped = list(found.q), state.time_ns
+            if arguments.joint is not None:  # up and down every 4 s, by the robot's own time
+                t = 1e-9 * (state.time_ns - found.time_ns)
+                q[arguments.joint] += arguments.by * 0.5 * (1.0 - math.cos(0.5 * math.pi * t))
+        command = twinbus.command_for(state, me, q, tau=found.tau, kp=kp, kd=kd)
+        command.flags = int(0 < state.time_ns - stopped < 5e8)  # a balanced stop: it rests by itself, then is held
+        bus.send('COMMAND', command)
 
 
 if __name__ == '__main__':

@@ -124,7 +124,7 @@ def beside_another_controller(checks):
 
 
 def move_a_joint(checks, command, stack, joint):
-    """A controller of one's own moves a joint by 0.2 rad."""
+    """A controller of one's own moves a joint by 0.2 rad, and brings it to rest when it is asked to stop."""
     client = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
     said = ""
     try:
@@ -132,6 +132,11 @@ def move_a_joint(checks, command, stack, joint):
         bus = Bus()
         with Stack("stand_python", "--stack", stack, "--no-viewer"):
             time.sleep(4.5)
+            cli("stop")
+            time.sleep(1.0)
+        flags = [command.flags for _, command in bus.messages("COMMAND")]
+        checks.at_least(flags.count(1), 10, "commands that bring the robot to rest after a balanced stop")
+        checks.that(flags[0] == flags[-1] == 0, f"neither before the stop nor when it rests: {flags[0]}, {flags[-1]}")
         q = [state.q[joint] for _, state in bus.messages("STATE")]
         stops = {state.stop_kind for _, state in list(bus.messages("STATE"))[:1500]}
         bus.close()
