@@ -100,6 +100,7 @@ constexpr BenchRow kBenches[] = {
     {"simulation", "accuracy", "errors asked for and reached, against converged references"},
     {"simulation", "manifold", "contact of two sets of triangles beside FCL"},
     {"simulation", "lanes", "many worlds on one core, four in the lanes of a vector, beside single runs and MuJoCo"},
+    {"simulation", "python", "a step from Python beside C++, and many worlds beside MuJoCo's rollout"},
     {"simulation", "tumble", "bodies of many shapes that fall: energy and penetration"},
     {"bus and logs", "bus", "STATE to COMMAND through another process"},
     {"bus and logs", "switch", "live switches of the source"},
