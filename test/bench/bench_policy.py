@@ -2,7 +2,7 @@
 """Policies that others trained, on robots as `./twinbus check --propose` writes them, unedited: starts, walks, and the estimate of the base.
 
     bench_policy.py starts [--count 30]                  real time, --wait 0: falls within 4 s of the start, per velocity
-    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco] [--set contact=soft]   lock-step, noise, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
+    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco] [--set contact=soft]   lock-step, noise, ESTIMATE and no TRUTH, a guard that judges every tick: falls, its stops, mean velocities, error of the estimate
     bench_policy.py switches [--count 20]                real time: from our engine to mujoco and back while it walks (stack client_mujoco)
     bench_policy.py estimate [--seconds 20] [--seeds 3]  the same, pushed and on tiles of 30 mm
 
@@ -96,10 +96,11 @@ class Error:
         return np.sqrt(self.squares / max(1, self.count))
 
 
-def walk(policy, command, seconds, seed, scene='stand_python', engine='', settings=()):
+def walk(policy, command, seconds, seed, scene='stand_python', engine='', settings=(), guarded=False):
     error = Error()
     settings = (*settings, f'sensor.seed={seed}', *(f'sensor.noise.{key}={value:g}' for key, value in NOISE.items()))
-    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, settings, scene=scene, look=error.look)
+    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, settings, scene=scene, look=error.look,
+                        guarded=guarded)
     assert not error.from_truth, 'the velocity of the base was that of TRUTH'
     rms = error.rms()
     print(f'{policy.name:4} {trial.in_words(outcome)}; estimate off by {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} m/s rms, {error.largest:.2f} at most '
@@ -107,16 +108,18 @@ def walk(policy, command, seconds, seed, scene='stand_python', engine='', settin
     return outcome, rms
 
 
-def table(policy, cases, seconds, seeds, scene='stand_python', about='', engine='', settings=()):
+def table(policy, cases, seconds, seeds, scene='stand_python', about='', engine='', settings=(), guarded=False):
     falls = 0
     for command in cases:
-        rows = [walk(policy, command, seconds, seed, scene, engine, settings) for seed in range(1, seeds + 1)]
+        rows = [walk(policy, command, seconds, seed, scene, engine, settings, guarded) for seed in range(1, seeds + 1)]
         fell = sum(outcome.fell or bool(outcome.stopped) for outcome, _ in rows)
+        stops = [outcome.guard_stops for outcome, _ in rows]
+        guard = f" guard: {' '.join(map(str, stops))} stops, {' '.join(str(outcome.held) for outcome, _ in rows)} ticks held |" if guarded else ''
         mean = np.mean([outcome.velocity for outcome, _ in rows], axis=0)
         rms = np.sqrt(np.mean([error * error for _, error in rows], axis=0))
         print(f'| {policy.name} | {about} | {command[0]:g} {command[1]:g} {command[2]:g} | {fell} of {len(rows)} fell | {mean[0]:.3f} {mean[1]:.3f} '
-              f'{mean[2]:.3f} | {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} |', flush=True)
-        falls += fell
+              f'{mean[2]:.3f} | {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} |{guard}', flush=True)
+        falls += max(fell, sum(map(bool, stops)))
     return falls
 
 
@@ -215,7 +218,8 @@ def main():
             elif words.what == 'switches':
                 falls += switches(policy, words.count or 20, words.stack)
             elif words.what == 'walks':
-                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat', engine=words.engine, settings=words.set)
+                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat', engine=words.engine, settings=words.set,
+                               guarded=True)
             else:
                 falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed', words.engine, words.set)
                 falls += table(policy, [(0.5, 0.0, 0.0)], min(words.seconds or 12.0, 12.0), words.seeds, str(folder / 'tiles.yaml'), 'tiles', words.engine, words.set)

@@ -553,6 +553,26 @@ class Running(unittest.TestCase):
         self.assertTrue(np.allclose([one.kp[0], one.kd[0], one.kp[12]], [35.0, 0.5, 0.0]))
         self.assertEqual(len(self.network.seen), 5)                             # every 10 ticks
 
+    def test_with_a_guard_a_state_is_answered_once_it_has_been_judged(self):
+        self.start(wait=0.0, guarded=True)
+        self.assertIn('GUARD', self.bus.channels)
+        judged = trial._Judged()
+        self.made.on_guard = judged.see
+        for tick, (mask, stop) in enumerate(((0, 0), (6, 0), (0, 1), (0, 1), (0, 0), (0, 1)), 101):
+            report = messages.guard_report_t()
+            report.tick, report.run_id, report.hold_mask, report.stop_asked = tick, 7, mask, stop
+            before = len(self.bus.of('COMMAND'))
+            self.bus.say('STATE', self.state())
+            self.bus.say('GUARD', report)
+            self.made.receive(0.0)
+            self.assertEqual([command.tick for command in self.bus.of('COMMAND')[before:]], [tick])
+        self.assertEqual((judged.ticks, judged.held, judged.stops), (6, 1, 2))
+        self.bus.say('STATE', self.state())  # what it says of another run or tick is no judgement of this one
+        self.bus.say('GUARD', report)
+        with mock.patch.object(runner, 'GUARD', 0.05), self.assertRaisesRegex(runner.Stopped, 'no guard judged tick 107'):
+            self.made.receive(0.0)
+        self.assertEqual(self.bus.of('COMMAND')[-1].tick, 106)
+
     def test_not_faded_in(self):
         self.start(wait=0.0, fade=False)
         self.assertEqual({command.flags for command in self.go(10)}, {runner.NOT_FADED})

@@ -45,6 +45,7 @@ FIRST_ESTIMATE = 0.1             # in which the velocity of the base must have c
 TOO_LATE = 0.1                   # an inference that balances nothing any more [s]
 ASKS_EVERY = 0.02                # a stop, until STATE shows it [s]
 PATIENCE = 2.0                   # for an inference while the robot's time stands still [s]
+FIRST_GUARD, GUARD = 10.0, 1.0   # for the first report of a guard that is waited for, and for the next ones [s]
 LISTENED = ('STATE', 'SOURCE_STATUS', 'MODEL_TEXT', 'WALK', 'GAMEPAD', 'MODE_REQUEST', 'ESTIMATE', 'TRUTH')
 
 
@@ -64,6 +65,7 @@ class Options:
     fade: bool | None = None     # False: flag 2, the first command is not faded in; None: faded in where a joint is FAR away
     duration: float = float('inf')  # of the robot's time [s]
     fifo: bool = False           # has FIFO priority; HEARTBEAT tells
+    guarded: bool = False        # a STATE is answered once GUARD has judged it: a lock-step waits for no guard
     say: Callable[[str], None] = field(default=lambda sentence: print(f'policy: {sentence}', flush=True))
 
 
@@ -77,6 +79,7 @@ class Runner:
         self.truth: messages.sim_truth_t | None = None
         self.on_truth: Callable[[messages.sim_truth_t], None] | None = None
         self.on_state: Callable[[messages.robot_state_t], None] | None = None
+        self.on_guard: Callable[[messages.guard_report_t], None] | None = None
         self.ticks, self.actions, self.elapsed = 0, 0, 0.0
         self.inference_times: list[float] = []   # of the last second [s]
         self._ended = False                      # the motion that it follows
@@ -93,6 +96,7 @@ class Runner:
         self._asked_at = 0.0                     # the stop, the last time
         self._plan: StopPlan | None = None
         self._estimate: Any = None
+        self._guard: Any = None
         self._state: messages.robot_state_t | None = None
         self._pace = 0
         self._begin_ns: int | None = None        # of this start; None: at the next state
@@ -106,7 +110,7 @@ class Runner:
         self._event_sequence = 0
         self._beat = 0.0
         self._operator = Operator(np.array(options.command), -np.ones(3), np.ones(3))
-        bus.listen(*[channel for channel in LISTENED if channel in TYPES])
+        bus.listen(*[channel for channel in LISTENED if channel in TYPES], *(['GUARD'] if options.guarded else []))
 
     # -- what comes in -------------------------------------------------------------------------------------------------
 
@@ -157,6 +161,10 @@ class Runner:
             return  # of a source that stands by
         if channel == 'ESTIMATE':
             self._estimate = message
+        elif channel == 'GUARD':
+            self._guard = message
+            if self.on_guard is not None:
+                self.on_guard(message)
         elif channel == 'TRUTH':
             self.truth = message
             if self.on_truth is not None:
@@ -184,6 +192,8 @@ class Runner:
         previous, self._state = self._state, state
         if self.on_state is not None:
             self.on_state(state)
+        if self.options.guarded:
+            self._await_guard(state)
         if self.controller is None and not self._bind_from_bus(state):
             self._hold(state)
             return
@@ -359,6 +369,16 @@ class Runner:
         while self._estimate is not None and self._estimate.run_id == state.run_id and self._estimate.tick < state.tick \
                 and time.monotonic() < end:
             for channel, body in self.bus.receive(0.0002):
+                message = decode(channel, body)
+                if message is not None and channel != 'STATE':
+                    self._hear(channel, message)
+
+    def _await_guard(self, state: messages.robot_state_t) -> None:
+        end = time.monotonic() + (FIRST_GUARD if self._guard is None else GUARD)
+        while self._guard is None or (self._guard.run_id, self._guard.tick) != (state.run_id, state.tick):
+            if time.monotonic() > end:
+                self.stop(f'no guard judged tick {state.tick}')
+            for channel, body in self.bus.receive(0.05):
                 message = decode(channel, body)
                 if message is not None and channel != 'STATE':
                     self._hear(channel, message)

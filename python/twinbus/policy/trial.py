@@ -46,6 +46,9 @@ class Outcome:
     stopped: str = ''             # why, when the robot was stopped
     apart: float = 0.0            # of a tracking policy: rms of its joints from the motion, once that has begun [rad]
     ended: bool = False           # and whether that came to its last frame
+    judged: int = 0               # ticks that the guard looked at; 0: it was not waited for
+    held: int = 0                 # of them with joints that it held
+    guard_stops: int = 0          # stops that it asked for, each as long as it went on asking
 
 
 class _Watch:
@@ -68,6 +71,19 @@ class _Watch:
         vx, vy = truth.base_velocity[0], truth.base_velocity[1]
         self.sum += [math.cos(yaw) * vx + math.sin(yaw) * vy, -math.sin(yaw) * vx + math.cos(yaw) * vy, truth.base_angular_velocity[2]]
         self.count += 1
+
+
+class _Judged:
+    """Sums up GUARD."""
+
+    def __init__(self) -> None:
+        self.ticks, self.held, self.stops, self._asks = 0, 0, 0, False
+
+    def see(self, report: messages.guard_report_t) -> None:
+        self.ticks += 1
+        self.held += report.hold_mask != 0
+        self.stops += bool(report.stop_asked) and not self._asks
+        self._asks = bool(report.stop_asked)
 
 
 class Beside:
@@ -102,24 +118,25 @@ def posture_of(spec: Spec, robot: Robot) -> str | None:
 
 def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[float, float, float], seconds: float, seed: int = 1,
         engine: str = '', settings: tuple[str, ...] = (), wait: float | None = None, scene: str = 'stand_python',
-        look: Callable[[Runner, messages.sim_truth_t], None] | None = None) -> Outcome:
+        look: Callable[[Runner, messages.sim_truth_t], None] | None = None, guarded: bool = False) -> Outcome:
     """folder: of the robot, as behind --robot.  seconds: of the robot's time.  wait: as of the runner, None: 0 where a pose of the SRDF is
-    the policy's posture.  scene: a name or a file.  look: called with every TRUTH.
+    the policy's posture.  scene: a name or a file.  look: called with every TRUTH.  guarded: the guard judges every tick; else those for
+    which it has time, since a lock-step does not wait for it.
 
     PolicyError when the stack does not run."""
     pose = posture_of(spec, robot)
     wait = (0.3 if pose is None else 0.0) if wait is None else wait
-    outcome, watch, beside = Outcome(command, seed), _Watch(), Beside()
+    outcome, watch, beside, judged = Outcome(command, seed), _Watch(), Beside(), _Judged()
     url = f'udpm://239.255.76.67:{random.SystemRandom().randrange(20000, 60000)}?ttl=0'
     with tempfile.TemporaryDirectory() as work, Bus(url) as bus:
-        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, None if wait > 0.0 else False, seconds, say=lambda _: None),
-                        replace(robot))
+        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, None if wait > 0.0 else False, seconds, say=lambda _: None,
+                        guarded=guarded), replace(robot))
 
         def see(truth: messages.sim_truth_t) -> None:
             watch.see(truth)
             if look is not None:
                 look(runner, truth)
-        runner.on_truth = see
+        runner.on_truth, runner.on_guard = see, judged.see
         def compare(state: messages.robot_state_t) -> None:
             if isinstance(runner.controller, Controller) and runner.actions:
                 beside.see(runner.controller, np.array(state.q[:state.joint_count]))
@@ -157,6 +174,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
                 stack.kill()
     outcome.seconds, outcome.fell, outcome.largest_tilt = min(runner.elapsed, watch.fell_at), watch.fell, watch.tilt
     outcome.apart, outcome.ended = beside.apart, beside.ended
+    outcome.judged, outcome.held, outcome.guard_stops = judged.ticks, judged.held, judged.stops
     outcome.velocity = watch.sum / max(1, watch.count)
     return outcome
 
@@ -219,7 +237,8 @@ def in_words(outcome: Outcome) -> str:
     asked, walked = ('%.2f %.2f %.2f' % tuple(numbers) for numbers in (outcome.command, outcome.velocity))
     end = f'fell after {outcome.seconds:.1f} s' if outcome.fell else f'stopped: {outcome.stopped}' if outcome.stopped else \
         f'{outcome.seconds:.1f} s, tilt {math.degrees(outcome.largest_tilt):.1f} degrees'
-    return f'asked {asked}, walked {walked}: {end}'
+    guard = f'; guard: {outcome.guard_stops} stops, joints held in {outcome.held} of {outcome.judged} ticks' if outcome.judged else ''
+    return f'asked {asked}, walked {walked}: {end}{guard}'
 
 
 def as_json(outcome: Outcome) -> str:
