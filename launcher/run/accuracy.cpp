@@ -5,13 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
+
+#include <nlohmann/json.hpp>
 
 #include "common/file/disk_cache.h"
 #include "common/math/index.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
+#include "common/text/xml.h"
+#include "geometry/mesh_contact/contact_mesh.h"
+#include "robot/description/load.h"
+#include "sim/articulated/spatial.h"
 #include "sim/scene/fidelity.h"
 
 namespace twinbus {
@@ -29,22 +36,34 @@ void add_this_program(FingerprintMaker& maker) {
       .add(static_cast<std::int64_t>(file.st_mtim.tv_nsec));
 }
 
-Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfig& config,
-                   const AccuracyRequest& request) {
-  FingerprintMaker maker;
-  maker.add("ladder 7");
-  add_this_program(maker);
-  maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash).add(model.yaml_text);
-  maker.add(scene.fidelity).add(static_cast<std::int64_t>(scene.held.size())).add(static_cast<std::int64_t>(scene.rigid.size()));
-  for (const auto* names : {&scene.held, &scene.rigid}) {
-    for (const std::string& name : *names) maker.add(name);
+void add_robot(FingerprintMaker& maker, const Model& model) {
+  maker.add(model.hash).add(model.yaml_text).add(model.urdf_text).add(model.srdf_text);
+}
+
+// Of files that the scene's text only names.
+void add_files(FingerprintMaker& maker, const Scene& scene) {
+  const auto numbers = [&maker](const auto& values) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) maker.add(values.data()[i]);
+  };
+  for (const Obstacle& obstacle : scene.obstacles) {
+    maker.add(static_cast<int>(obstacle.shape));
+    numbers(obstacle.size);
+    numbers(obstacle.pose.matrix());
   }
-  for (const auto* list : {&scene.settings, &config.settings}) {
-    for (const auto& [name, value] : *list) maker.add(name).add(value);
+  for (const LooseBody& body : scene.loose) {
+    if (body.mesh == nullptr) continue;
+    for (const Eigen::Vector3d& vertex : body.mesh->vertices()) numbers(vertex);
+    for (const ContactFace& face : body.mesh->faces()) {
+      for (const int vertex : face.vertex) maker.add(vertex);
+    }
   }
-  maker.add(request.error).add(request.all).add(request.duration).add(request.seed);
-  maker.add(config.control.guard_in_loop);
-  return maker.value();
+  for (const TimedMotion& timed : scene.motions) {
+    for (const std::string& file : {timed.file, timed.columns}) {
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(file, ignored)) maker.add(read_text_file(file));
+    }
+  }
+  for (const SceneRobot& robot : scene.robots) add_robot(maker, load_robot(robot.robot));
 }
 
 void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& choice) {
@@ -76,6 +95,26 @@ void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& 
 
 }  // namespace
 
+Fingerprint ladder_key(const Model& model, const Scene& scene, const OneProcessConfig& config, const AccuracyRequest& request) {
+  FingerprintMaker maker;
+  maker.add("ladder 8").add(static_cast<int>(simd()));
+  add_this_program(maker);
+  maker.add(scene.text).add(scene.engine).add(scene.robot).add(scene.start_pose);
+  add_robot(maker, model);
+  add_files(maker, scene);
+  maker.add(scene.fidelity).add(static_cast<std::int64_t>(scene.held.size())).add(static_cast<std::int64_t>(scene.rigid.size()));
+  for (const auto* names : {&scene.held, &scene.rigid}) {
+    for (const std::string& name : *names) maker.add(name);
+  }
+  for (const auto* list : {&scene.settings, &config.settings}) {
+    maker.add(static_cast<std::int64_t>(list->size()));
+    for (const auto& [name, value] : *list) maker.add(name).add(value);
+  }
+  maker.add(request.error).add(request.all).add(request.duration).add(request.seed);
+  maker.add(config.control.guard_in_loop);
+  return maker.value();
+}
+
 void choose_fidelity(const Arguments& arguments, Scene& scene) {
   scene.fidelity = arguments.text("--fidelity", scene.fidelity);
   const std::vector<std::string> names(std::begin(kFidelityNames), std::end(kFidelityNames));
@@ -86,7 +125,7 @@ void choose_fidelity(const Arguments& arguments, Scene& scene) {
 AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
                                const OneProcessConfig& config, const AccuracyRequest& request) {
   AccuracyChoice choice;
-  const Fingerprint key = key_of(model, scene, config, request);
+  const Fingerprint key = ladder_key(model, scene, config, request);
   if (const auto text = disk_cache().find(kKind, key)) {
     choice.kept = read_ladder(*text, choice.ladder);
     if (!choice.kept) disk_cache().refuse(kKind, key, "it is no ladder");
@@ -118,6 +157,53 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
   }
   decide(model, request, choice);
   return choice;
+}
+
+std::string accuracy_line(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost) {
+  std::string line = "accuracy: ";
+  if (choice.rung >= 0) {
+    const Rung& rung = choice.ladder.rungs[at(choice.rung)];
+    line += formatted("order %d at %.3g ms, error %.3g mm", rung.order, 1e3 * rung.step,
+                      1e3 * choice.ladder.estimate(at(choice.rung)));
+    if (asked.error > 0.0) line += formatted(" of %.3g mm asked", 1e3 * asked.error);
+    line += formatted(", physics %.2f ms/s; ", cost);
+    if (!rung.less.none()) line += words_of(rung.less) + "; ";
+  } else {
+    line += "not held, the scene's own order and step; ";
+  }
+  return line + formatted(choice.kept ? "chosen earlier in %.1f s of CPU" : "chosen in %.1f s of CPU", choice.ladder.cost);
+}
+
+std::string accuracy_json(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost) {
+  nlohmann::ordered_json json;
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  json["asked_m"] = asked.error > 0.0 ? number(asked.error) : nlohmann::ordered_json();
+  json["budget_s"] = asked.budget > 0.0 ? number(asked.budget) : nlohmann::ordered_json();
+  json["seed"] = asked.seed;
+  if (choice.rung >= 0) {
+    const Rung& rung = choice.ladder.rungs[at(choice.rung)];
+    json["error_estimate_m"] = number(choice.ladder.estimate(at(choice.rung)));
+    json["order"] = rung.order;
+    json["step_s"] = rung.step;
+    json["held_joints"] = rung.less.held;
+    json["rigid_robots"] = rung.less.rigid;
+    json["still"] = rung.less.still;
+    json["aloft"] = rung.less.aloft;
+    json["untouched"] = rung.less.untouched;
+    json["no_self_contact"] = rung.less.apart;
+    json["asleep"] = rung.less.asleep;
+  } else {
+    json["error_estimate_m"] = nullptr;
+  }
+  json["physics_ms_per_s"] = cost;
+  json["choosing_cpu_s"] = choice.ladder.cost;
+  json["from_cache"] = choice.kept;
+  json["reason"] = choice.reason;
+  auto& parted = json["parted"] = nlohmann::ordered_json::array();
+  for (const Parted& each : choice.ladder.parted) parted.push_back({{"body", each.body}, {"apart_m", number(each.apart)}});
+  return json.dump();
 }
 
 }  // namespace twinbus

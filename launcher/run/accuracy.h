@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "common/file/fingerprint.h"
 #include "common/process/arguments.h"
 #include "launcher/run/ladder.h"
 
@@ -34,5 +35,13 @@ struct AccuracyChoice {
 
 AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
                                const OneProcessConfig& config, const AccuracyRequest& request);
+
+// Of all that its ladder depends on: scene with its seed drawn and what its files hold, settings, robot, this program and the instructions
+// that it takes.
+Fingerprint ladder_key(const Model& model, const Scene& scene, const OneProcessConfig& config, const AccuracyRequest& request);
+
+// What was chosen, a line for people and an object for a report; cost: of the physics [ms of CPU per simulated s].
+std::string accuracy_line(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost);
+std::string accuracy_json(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost);
 
 }  // namespace twinbus
