@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "launcher/run/accuracy.h"
@@ -168,56 +169,6 @@ double cost_of(const OneProcess& run) {
   return simulated > 0.0 ? 1e3 * run.physics_seconds() / simulated : 0.0;
 }
 
-void print_choice(const AccuracyChoice& choice, const OneProcess& run,
-                  const AccuracyRequest& asked) {
-  if (choice.rung >= 0) {
-    const auto index = static_cast<std::size_t>(choice.rung);
-    const Rung& rung = choice.ladder.rungs[index];
-    std::printf("accuracy: order %d at %.3g ms, error %.3g mm", rung.order, 1e3 * rung.step,
-                1e3 * choice.ladder.estimate(index));
-    if (asked.error > 0.0) std::printf(" of %.3g mm asked", 1e3 * asked.error);
-    std::printf(", physics %.2f ms/s; ", cost_of(run));
-    if (!rung.less.none()) std::printf("%s; ", words_of(rung.less).c_str());
-  } else {
-    std::printf("accuracy: not held, the scene's own order and step; ");
-  }
-  std::printf(choice.kept ? "chosen earlier in %.1f s of CPU\n" : "chosen in %.1f s of CPU\n",
-              choice.ladder.cost);
-}
-
-nlohmann::ordered_json choice_json(const AccuracyChoice& choice, const OneProcess& run,
-                                   const AccuracyRequest& asked) {
-  nlohmann::ordered_json json;
-  const auto number = [](double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-  };
-  json["asked_m"] = asked.error > 0.0 ? number(asked.error) : nlohmann::ordered_json();
-  json["budget_s"] = asked.budget > 0.0 ? number(asked.budget) : nlohmann::ordered_json();
-  if (choice.rung >= 0) {
-    const auto index = static_cast<std::size_t>(choice.rung);
-    json["error_estimate_m"] = number(choice.ladder.estimate(index));
-    json["order"] = choice.ladder.rungs[index].order;
-    json["step_s"] = choice.ladder.rungs[index].step;
-    json["held_joints"] = choice.ladder.rungs[index].less.held;
-    json["rigid_robots"] = choice.ladder.rungs[index].less.rigid;
-    json["still"] = choice.ladder.rungs[index].less.still;
-    json["aloft"] = choice.ladder.rungs[index].less.aloft;
-    json["untouched"] = choice.ladder.rungs[index].less.untouched;
-    json["no_self_contact"] = choice.ladder.rungs[index].less.apart;
-    json["asleep"] = choice.ladder.rungs[index].less.asleep;
-  } else {
-    json["error_estimate_m"] = nullptr;
-  }
-  json["physics_ms_per_s"] = cost_of(run);
-  json["choosing_cpu_s"] = choice.ladder.cost;
-  json["from_cache"] = choice.kept;
-  json["reason"] = choice.reason;
-  auto& parted = json["parted"] = nlohmann::ordered_json::array();
-  for (const Parted& each : choice.ladder.parted)
-    parted.push_back({{"body", each.body}, {"apart_m", number(each.apart)}});
-  return json;
-}
-
 // The figures that only `run` has, in the report that `up` writes too.
 std::string with_own_figures(const std::string& report, double force_error, const OneProcess& run,
                              const AccuracyChoice* choice, const AccuracyRequest& accuracy) {
@@ -236,7 +187,7 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   json["force_rms_percent"] = number(1e2 * walked.force_error());
   json["velocity_error_percent"] = number(1e2 * walked.velocity_error());
   json["travel_m"] = number(walked.travel());
-  if (choice != nullptr) json["accuracy"] = choice_json(*choice, run, accuracy);
+  if (choice != nullptr) json["accuracy"] = nlohmann::ordered_json::parse(accuracy_json(*choice, accuracy, cost_of(run)));
   const TrustCounts& trust = run.trust();
   auto& doubted = json["doubted_steps"];
   doubted["any"] = trust.doubted;
@@ -274,9 +225,19 @@ std::optional<SeedsRequest> seeds_of(const Arguments& arguments) {
   return request;
 }
 
-// The scene once for each seed; undrawn: before a seed has drawn anything in it.
+// The scene once for each seed; undrawn: before a seed has drawn anything in it.  choice: what the first seed alone has shown,
+// may be null.
 int run_many(SeedsRequest seeds, const Model& model, const Scene& undrawn, const OneProcessConfig& config,
-             const RunRequest& request, const std::string& report) {
+             const RunRequest& request, const AccuracyChoice* choice, const AccuracyRequest& accuracy,
+             const std::string& report) {
+  if (choice != nullptr) {
+    const double cost = choice->rung >= 0 ? choice->ladder.rungs[at(choice->rung)].cost : std::nan("");
+    seeds.accuracy = accuracy_json(*choice, accuracy, cost);
+    seeds.measured = choice->rung >= 0;
+    std::printf("%s, with seed %llu alone\n", accuracy_line(*choice, accuracy, cost).c_str(),
+                static_cast<unsigned long long>(accuracy.seed));
+    if (!choice->reason.empty()) std::printf("FAILED: %s\n", choice->reason.c_str());
+  }
   seeds.ticks = std::llround(request.duration / model.period());
   seeds.part = seeds.ticks < std::llround(undrawn.duration / model.period());
   const std::int64_t begin = monotonic_ns();
@@ -288,8 +249,8 @@ int run_many(SeedsRequest seeds, const Model& model, const Scene& undrawn, const
   });
   const double wall_s = 1e-9 * static_cast<double>(monotonic_ns() - begin);
   std::printf("%s", seeds_text(results, seeds, model.period(), wall_s).c_str());
-  if (!report.empty()) write_file(report, seeds_json(results, request, wall_s));
-  const bool all = results.size() == seeds.seeds.last - seeds.seeds.first + 1;
+  if (!report.empty()) write_file(report, seeds_json(results, seeds, request, wall_s));
+  const bool all = results.size() == seeds.seeds.last - seeds.seeds.first + 1 && (choice == nullptr || choice->reason.empty());
   return all && std::all_of(results.begin(), results.end(), [](const SeedResult& each) { return each.verdict.passed; }) ? 0 : 1;
 }
 
@@ -368,7 +329,10 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
     }
   }
 
-  if (many) return run_many(*many, model, undrawn, config, request, arguments.text("--report", ""));
+  if (many) {
+    return run_many(*many, model, undrawn, config, request, choice ? &*choice : nullptr, accuracy,
+                    arguments.text("--report", ""));
+  }
 
   std::unique_ptr<LogWriter> log;
   if (!log_file.empty()) {
@@ -404,7 +368,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
     verdict.failures.push_back(choice->reason);
     verdict.passed = false;
   }
-  if (choice) print_choice(*choice, run, accuracy);
+  if (choice) std::printf("%s\n", accuracy_line(*choice, accuracy, cost_of(run)).c_str());
   print(run, scene.criteria, verdict, request.robot,
         model.period() * static_cast<double>(run.ticks()), wall_s, force_error);
   if (const std::string file = arguments.text("--report", ""); !file.empty()) {

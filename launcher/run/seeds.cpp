@@ -81,6 +81,7 @@ std::vector<SeedResult> run_group(const Model& model, const SeedsRequest& reques
       results[k].ticks = runs[k]->ticks();
       results[k].verdict = judge_scene(*runs[k], ready[k].scene.criteria, request.ticks, request.part);
       results[k].state_hash = runs[k]->state_hash();
+      results[k].doubted = runs[k]->trust().doubted;
       return true;
     });
   }
@@ -90,6 +91,32 @@ std::vector<SeedResult> run_group(const Model& model, const SeedsRequest& reques
 std::string cause_of(const SeedResult& result) {
   if (!result.error.empty()) return result.error;
   return result.verdict.passed ? "" : result.verdict.failures.empty() ? "it was not finished" : result.verdict.failures.front();
+}
+
+std::string list_of(const std::vector<std::uint64_t>& seeds) {
+  std::string text = seeds.size() > 1 ? "(seeds" : "(seed";
+  for (std::size_t i = 0; i < std::min(seeds.size(), kMostListed); ++i) text += " " + std::to_string(seeds[i]);
+  return text + (seeds.size() > kMostListed ? " ...)" : ")");
+}
+
+// What the steps of all seeds say of the error that was measured with the first one.
+std::string doubts_text(const std::vector<SeedResult>& results, const SeedsRequest& request) {
+  std::vector<std::uint64_t> doubted;
+  for (const SeedResult& result : results) {
+    if (result.doubted > 0) doubted.push_back(result.seed);
+  }
+  if (!request.measured) {
+    if (doubted.empty()) return "";
+    return formatted("%zu of %zu had physics steps that are not to be trusted ", doubted.size(), results.size()) + list_of(doubted) + "\n";
+  }
+  const std::string first = formatted("seed %llu, with which the error was measured", static_cast<unsigned long long>(request.seeds.first));
+  std::string text = formatted("accuracy: %zu of %zu seeds had no worse step than ", results.size() - doubted.size(), results.size()) + first +
+                     "; their own errors were not measured\n";
+  if (!doubted.empty()) {
+    text += formatted("accuracy: %zu of %zu had worse steps than that, so nothing is known of their errors ", doubted.size(), results.size()) +
+            list_of(doubted) + "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -166,10 +193,9 @@ std::string seeds_text(const std::vector<SeedResult>& results, const SeedsReques
   }
   std::string text;
   for (const auto& [cause, seeds] : causes) {
-    text += std::to_string(seeds.size()) + " of " + std::to_string(results.size()) + ": " + cause + " (seed" + (seeds.size() > 1 ? "s" : "");
-    for (std::size_t i = 0; i < std::min(seeds.size(), kMostListed); ++i) text += " " + std::to_string(seeds[i]);
-    text += seeds.size() > kMostListed ? " ...)\n" : ")\n";
+    text += std::to_string(seeds.size()) + " of " + std::to_string(results.size()) + ": " + cause + " " + list_of(seeds) + "\n";
   }
+  text += doubts_text(results, request);
   const std::uint64_t asked = request.seeds.last - request.seeds.first + 1;
   text += formatted("%zu of %zu seeds passed; %.1f s simulated in %.2f s, %.0f ticks a second\n", passed, results.size(),
                     period * static_cast<double>(ticks), wall_s, static_cast<double>(ticks) / std::max(wall_s, 1e-9));
@@ -177,15 +203,17 @@ std::string seeds_text(const std::vector<SeedResult>& results, const SeedsReques
   return text;
 }
 
-std::string seeds_json(const std::vector<SeedResult>& results, const RunRequest& request, double wall_s) {
+std::string seeds_json(const std::vector<SeedResult>& results, const SeedsRequest& seeds, const RunRequest& request,
+                       double wall_s) {
   nlohmann::ordered_json json = {{"scene", request.scene}, {"robot", request.robot}, {"engine", request.engine},
                                  {"step_s", request.step_s}, {"duration_s", request.duration}, {"wall_s", wall_s}};
+  if (!seeds.accuracy.empty()) json["accuracy"] = nlohmann::ordered_json::parse(seeds.accuracy);
   std::size_t passed = 0;
   auto& list = json["seeds"] = nlohmann::ordered_json::array();
   for (const SeedResult& result : results) {
     const bool good = cause_of(result).empty();
     passed += good ? 1 : 0;
-    list.push_back({{"seed", result.seed}, {"passed", good}, {"ticks", result.ticks}, {"state_hash", result.state_hash},
+    list.push_back({{"seed", result.seed}, {"passed", good}, {"ticks", result.ticks}, {"state_hash", result.state_hash}, {"doubted_steps", result.doubted},
                     {"failures", result.error.empty() ? result.verdict.failures : std::vector<std::string>{result.error}}});
   }
   json["passed"] = passed;

@@ -31,6 +31,7 @@ struct SeedResult {
   RunVerdict verdict;
   std::string state_hash, error;  // error: it could not be run, and why
   std::int64_t ticks = 0;
+  long doubted = 0;  // physics steps that are not to be trusted
 };
 
 struct SeedsRequest {
@@ -40,6 +41,8 @@ struct SeedsRequest {
   bool part = false;       // of the scene
   bool lanes = false;      // four together in the lanes of a vector: a seed's state_hash is then that of itself alone with lanes
   bool talk = false;       // progress on a terminal, and a line for each seed that fails
+  bool measured = false;   // order and step are those that hold an error with the first seed, and its doubts bound those of all
+  std::string accuracy{};  // of the report: accuracy_json() of that choice; empty: none was asked for
 };
 
 // In the order of the seeds; fewer when Ctrl-C ends it.  A seed gives the state_hash that it gives alone.
@@ -49,6 +52,7 @@ std::vector<SeedResult> run_seeds(const Model& model, const SeedsRequest& reques
 
 // Lines for people, and a report: how many held, for what the others failed.
 std::string seeds_text(const std::vector<SeedResult>& results, const SeedsRequest& request, double period, double wall_s);
-std::string seeds_json(const std::vector<SeedResult>& results, const RunRequest& request, double wall_s);
+std::string seeds_json(const std::vector<SeedResult>& results, const SeedsRequest& seeds, const RunRequest& request,
+                       double wall_s);
 
 }  // namespace twinbus

@@ -87,7 +87,7 @@ TEST_F(SeedsOf, ASeedThatCannotBeRunIsNamedWithItsCauseAndTheOthersGoOn) {
   const std::string text = seeds_text(results, request, model_.period(), 1.0);
   EXPECT_NE(text.find("1 of 3: tile # of seed # cannot be laid (seed 13)"), std::string::npos) << text;
   EXPECT_NE(text.find("2 of 3 seeds passed"), std::string::npos) << text;
-  const auto json = nlohmann::json::parse(seeds_json(results, {}, 1.0));
+  const auto json = nlohmann::json::parse(seeds_json(results, request, {}, 1.0));
   EXPECT_EQ(json["passed"], 2);
   EXPECT_EQ(json["seeds"][1]["failures"][0], "tile 12 of seed 13 cannot be laid");
 }
@@ -103,6 +103,31 @@ TEST_F(SeedsOf, SeedsThatFailAlikeAreCountedTogetherWhateverTheirNumbers) {
   const std::string text = seeds_text(results, request, 0.002, 1.0);
   EXPECT_NE(text.find("3 of 3: hand_# came # mm near, # were asked (seeds 1 2 3)"), std::string::npos) << text;
   EXPECT_NE(text.find("stopped: 1 seeds were not run"), std::string::npos) << text;
+}
+
+TEST_F(SeedsOf, WhatOneSeedHasMeasuredIsSaidToBeItsOwnAndWhoLeavesItsBandIsNamed) {
+  std::vector<SeedResult> results(4);
+  for (std::size_t i = 0; i < 4; ++i) results[i].seed = i + 3;
+  results[2].doubted = 7;
+  SeedsRequest request;
+  request.seeds = {3, 6};
+  EXPECT_NE(seeds_text(results, request, 0.002, 1.0).find("1 of 4 had physics steps that are not to be trusted (seed 5)"), std::string::npos);
+  request.measured = true;
+  request.accuracy = R"({"order": 2, "seed": 3})";
+  const std::string text = seeds_text(results, request, 0.002, 1.0);
+  EXPECT_NE(text.find("3 of 4 seeds had no worse step than seed 3, with which the error was measured"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 of 4 had worse steps than that, so nothing is known of their errors (seed 5)"), std::string::npos) << text;
+  const auto json = nlohmann::json::parse(seeds_json(results, request, {}, 1.0));
+  EXPECT_EQ(json["accuracy"]["seed"], 3);
+  EXPECT_EQ(json["seeds"][2]["doubted_steps"], 7);
+}
+
+// What was measured with one bounds the steps of all: worse ones are doubted, and no others.
+TEST_F(SeedsOf, EachSeedIsHeldToTheBandOfTheScene) {
+  scene_.accuracy = 1e-9;
+  for (const SeedResult& result : run({1, 2}, 1, 60)) EXPECT_GT(result.doubted, 0) << result.seed;
+  scene_.bands = {1.0, 1e3, 1e3, 1.0};
+  for (const SeedResult& result : run({1, 2}, 1, 60)) EXPECT_EQ(result.doubted, 0) << result.seed;
 }
 
 }  // namespace
