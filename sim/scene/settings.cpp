@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 #include "common/text/closest_name.h"
@@ -26,6 +27,37 @@ void sensor(SimSettings& s, double value, double) {
 }
 
 constexpr double kDelayMs = 60.0;
+
+// In the order of kEngineNames and of kContactNames.
+constexpr const char* kEngineMeanings[] = {
+    "takes microseconds a step (default)",
+    "about a millisecond a step: for machines with a fast core for each simulated robot",
+    "where MuJoCo is installed",
+};
+constexpr const char* kContactMeanings[] = {
+    "a spring and damper at each point (default)",
+    "a spring at each point, and a damper that grows with the depth: a bounce by contact.dissipation",
+    "the LCP of engine ode, which alone has it, for comparison",
+    "springs of the area that presses, with dampers as of hunt_crossley; engines articulated and ode",
+    "MuJoCo's soft one, which creeps; engine mujoco, and articulated of the robot on what is fixed",
+};
+static_assert(std::size(kEngineMeanings) == std::size(kEngineNames) && std::size(kContactMeanings) == std::size(kContactNames));
+
+// a, b or c
+template <std::size_t kCount>
+std::string any_of(const char* const (&names)[kCount]) {
+  std::string list = names[0];
+  for (std::size_t i = 1; i < kCount; ++i) list += (i + 1 < kCount ? ", " : " or ") + std::string(names[i]);
+  return list;
+}
+
+template <std::size_t kCount>
+std::string choices_help(const char* key, const char* what, const char* const (&names)[kCount],
+                         const char* const (&meanings)[kCount]) {
+  std::string help = formatted("  %-27s %s\n", key, what);
+  for (std::size_t i = 0; i < kCount; ++i) help += formatted("    %-25s %s\n", names[i], meanings[i]);
+  return help;
+}
 
 const Entry kEntries[] = {
     {"solver.order", 1.0, 3.0,
@@ -152,11 +184,11 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
                           SimSettings& settings) {
   if (key == "engine") {
     if (engine_of(value, settings.world.engine)) return "";
-    return "setting engine=" + value + ": must be articulated, ode or mujoco";
+    return "setting engine=" + value + ": must be " + any_of(kEngineNames);
   }
   if (key == "contact") {
     if (contact_of(value, settings.world.contact)) return "";
-    return "setting contact=" + value + ": must be spring_damper, hunt_crossley, rigid, patch or soft";
+    return "setting contact=" + value + ": must be " + any_of(kContactNames);
   }
   const Entry* nearest = kEntries;
   for (const Entry& entry : kEntries) {
@@ -184,15 +216,8 @@ void apply_settings(const std::vector<std::pair<std::string, std::string>>& list
 }
 
 std::string settings_help() {
-  std::string help =
-      "  engine                      articulated | ode | mujoco    physics engine: articulated (default) "
-      "takes microseconds a step,\n"
-      "                              ode about a millisecond: for machines with a fast core for "
-      "each simulated robot;\n"
-      "                              mujoco: where MuJoCo is installed\n"
-      "  contact                     spring_damper | rigid | soft    what touches: springs and dampers "
-      "(default); the LCP of\n"
-      "                              engine ode, for comparison; MuJoCo's soft one, which creeps\n";
+  std::string help = choices_help("engine", "physics engine", kEngineNames, kEngineMeanings) +
+                     choices_help("contact", "what pushes back where something touches", kContactNames, kContactMeanings);
   for (const Entry& entry : kEntries) {
     help += formatted("  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high, entry.meaning);
   }

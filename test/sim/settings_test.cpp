@@ -28,7 +28,7 @@ TEST(Settings, AnUnknownKeyNamesTheNearest) {
   EXPECT_THROW(apply_settings({{"sensor.noise.encodr", "0"}}, 0.002, s), std::runtime_error);
 }
 
-TEST(Settings, ContactIsOneOfTwo) {
+TEST(Settings, ContactIsOneOfThoseThatThereAre) {
   SimSettings s;
   EXPECT_TRUE(apply_setting("contact", "rigid", 0.002, s).empty());
   EXPECT_EQ(s.world.contact, ContactModel::kRigid);
@@ -49,6 +49,19 @@ TEST(Settings, AValueOutOfRangeOrNoNumberIsRefused) {
 
 TEST(Settings, HelpListsThem) {
   EXPECT_NE(settings_help().find("sensor.noise.gyro"), std::string::npos);
+  SimSettings s;
+  for (const auto& [key, refused] : {std::pair{"engine", apply_setting("engine", "magic", 0.002, s)}, {"contact", apply_setting("contact", "magic", 0.002, s)}}) {
+    EXPECT_NE(settings_help().find(std::string("  ") + key + " "), std::string::npos);
+    EXPECT_NE(refused.find(key), std::string::npos);
+  }
+  for (const char* name : kEngineNames) {
+    EXPECT_NE(settings_help().find(std::string("    ") + name + " "), std::string::npos) << name;
+    EXPECT_NE(apply_setting("engine", "magic", 0.002, s).find(name), std::string::npos) << name;
+  }
+  for (const char* name : kContactNames) {
+    EXPECT_NE(settings_help().find(std::string("    ") + name + " "), std::string::npos) << name;
+    EXPECT_NE(apply_setting("contact", "magic", 0.002, s).find(name), std::string::npos) << name;
+  }
 }
 
 }  // namespace
