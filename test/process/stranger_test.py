@@ -130,6 +130,9 @@ def main():
             if (DATA / name / file).is_file():
                 _, out, err = cli("check", str(DATA / name / file), "--propose", os.path.join(scratch, name), timeout=120)
                 checks.that(all(one in out for one in words), f"{name} is told what can be done with it: {out[-600:]}{err}")
+                if name == "panda":
+                    status, out, err = cli("run", "arm", "--robot", os.path.join(scratch, name), timeout=120)
+                    checks.that(status == 0 and "passed" in out, f"run arm holds it: {out[-300:]}{err}")
     cells(checks)
     checks.exit()
 
