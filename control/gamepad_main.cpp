@@ -16,7 +16,7 @@
 #include "common/process/options.h"
 #include "common/process/process.h"
 #include "common/text/formatted.h"
-#include "control/teleop/hand_target.h"
+#include "control/gamepad_arm_main.h"
 #include "control/teleop/raw_terminal.h"
 #include "control/teleop/sdl_pad.h"
 #include "control/teleop/teleop.h"
@@ -24,7 +24,6 @@
 #include "lcmtypes/bus/outgoing.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "robot/description/load.h"
-#include "robot/estimation/estimator.h"
 
 using namespace twinbus;
 
@@ -122,6 +121,11 @@ class Requests {
     }
   }
 
+  void start(ModeRequest mode, std::int64_t run_id) {
+    mode.run_id = run_id;
+    mode_.start(mode);
+  }
+
   void send(Bus& bus) {
     stop_.send(bus, channel::kStop);
     mode_.send(bus, channel::kModeRequest);
@@ -130,84 +134,6 @@ class Requests {
  private:
   Outgoing<StopRequest> stop_;
   Outgoing<ModeRequest> mode_;
-};
-
-// The hand that is moved: where it is, whether another operator drives, and its goals on the bus.
-class Arm {
- public:
-  Arm(const Model& model, std::int64_t id) : model_(model), estimator_(model), id_(id) {}
-
-  void listen(Bus& bus) {
-    bus.listen_each<&HandTarget::on_path>(channel::kArmPath, target_);
-    bus.listen_each<&Arm::hear_status>(channel::kControllerStatus, *this);
-    bus.listen_each<&Arm::hear_gamepad>(channel::kGamepad, *this);
-  }
-  // Once per cycle, with the newest state.
-  void update(const RobotState& state, bool fresh, Teleop& teleop) {
-    heard_ = fresh;
-    known_ = fresh && state.model_hash == model_.hash && state.joint_count == model_.bus_count();
-    const std::array<double, 3> by = teleop.take_hand_move();
-    target_.choose(teleop.hand());
-    const bool holds = teleop.holding() && known_ && state.stop_kind == StopKind::kNone;
-    if (!holds) {
-      if (held_) target_.stop();
-      held_ = drives_ = false;
-      return;
-    }
-    estimator_.update(state);
-    if (!held_) drives_ = other_ns_ == 0 || seconds_since(other_ns_) > kOtherHolds;
-    held_ = true;
-    const Hand& hand = model_.hands[teleop.hand() == ArmSide::kLeft ? 0 : 1];
-    if (!drives_ || hand.link < 0) return;
-    const Eigen::Isometry3d at = estimator_.ground_in_world().inverse() *
-                                 estimator_.kinematics().link_in_world(hand.link) * hand.frame;
-    target_.move(Eigen::Vector3d(by.data()), at.translation());
-  }
-  void stop() { target_.stop(); }
-  bool walks() const { return mode_ == Mode::kWalk; }
-  void send(Bus& bus, const RobotState& state, std::int64_t utime, std::int64_t now) {
-    ArmGoal goal;
-    if (!target_.next(now, state.run_id, random_id(), goal)) return;
-    goal.sender_id = id_;
-    goal.utime = utime;
-    static_cast<void>(bus.send(channel::kArmGoal, goal));  // counted by the bus
-  }
-  std::string words() const {
-    const char* side = target_.side() == ArmSide::kLeft ? "left" : "right";
-    const Eigen::Vector3d& at = target_.wanted();
-    switch (target_.phase()) {
-      case HandTarget::Phase::kAsked:
-      case HandTarget::Phase::kGoing:
-        return formatted("%s hand to %.2f %.2f %.2f", side, at.x(), at.y(), at.z());
-      case HandTarget::Phase::kRefused:
-        return std::string(side) + (target_.refusal() == ArmPathStatus::kTimeLimit
-                                        ? " hand: no planner answers"
-                                        : " hand: no way there");
-      case HandTarget::Phase::kIdle:
-        break;
-    }
-    if (!heard_) return "";
-    return known_ ? std::string(side) + " hand" : "hands of another robot: --robot says which";
-  }
-
- private:
-  static constexpr double kOtherHolds = 0.2;  // [s] since the other was heard holding on
-
-  void hear_status(const ControllerStatus& status) {
-    target_.on_status(status);
-    mode_ = status.mode;
-  }
-  void hear_gamepad(const Gamepad& pad) {
-    if (pad.sender_id != id_ && pad.deadman) other_ns_ = monotonic_ns();
-  }
-
-  const Model& model_;
-  Estimator estimator_;
-  std::int64_t id_;
-  HandTarget target_;
-  bool heard_ = false, known_ = false, held_ = false, drives_ = false;
-  std::int64_t other_ns_ = 0;
-  Mode mode_ = Mode::kNone;
 };
 
 // One line that is written over, on a terminal only.
@@ -289,7 +215,7 @@ void run(const Arguments& options) {
   Node node(options.common, ProcessKind::kGamepad);
   const std::int64_t id = node.id();
   Bus& bus = node.bus();
-  Arm arm(model, id);
+  GamepadArm arm(model, id);
   arm.listen(bus);
   StateAdmission believed;
   Latest<RobotState> newest;
@@ -366,6 +292,8 @@ void run(const Arguments& options) {
     for (TeleopAction action; (action = teleop.take_action()) != TeleopAction::kNone;) {
       if (action == TeleopAction::kQuit) leaving = true;
       if (action == TeleopAction::kCentre) arm.stop();
+      if (action == TeleopAction::kNextJoint) arm.choose_joint(1);
+      if (action == TeleopAction::kPreviousJoint) arm.choose_joint(-1);
       requests.start(action, state);
     }
     if (leaving) {
@@ -378,9 +306,14 @@ void run(const Arguments& options) {
     requests.send(bus);
     arm.update(state, fresh, teleop);
     arm.send(bus, state, utime, monotonic_ns());
+    if (ModeRequest pose; arm.next_pose(monotonic_ns(), state, pose)) requests.start(pose, state.run_id);
+    if (const std::string why = arm.take_sentence(); !why.empty()) {
+      print_typed(stdout, "%s%s\n", show_line ? "\r\x1b[K" : "", why.c_str());
+      std::fflush(stdout);
+    }
     if (cycle % kHeartbeatEvery == 0) {
       send_heartbeat(node, cycle, message.connected);
-      if (show_line) show(teleop, message, state, fresh, arm.walks(), arm.words());
+      if (show_line) show(teleop, message, state, fresh, arm.walks(), arm.words(state));
     }
   }
   if (show_line) std::printf("\n");

@@ -33,17 +33,23 @@ constexpr std::array<AxisRow, 4> kAxes{{
     {2, -1.0, &Gamepad::right_x, "right stick left / right", "turn, in mode walk"},
 }};
 
-// While this one is held too, the sticks move a hand and leave the body alone.
+// While this one is held too, the sticks move a hand or a joint and leave the body alone.
 constexpr std::int32_t kHandButton = kPadRightShoulder;
-constexpr double kHandSpeed = 0.10;    // [m/s] at full stick
-constexpr double kHandKeyStep = 0.02;  // [m]
-constexpr double kPadCycle = 0.01;     // from one on_pad to the next [s]
+constexpr double kHandSpeed = 0.10, kTurnSpeed = 0.4;      // at full stick [m/s], [rad/s]
+constexpr double kHandKeyStep = 0.02, kTurnKeyStep = 0.05;  // [m], [rad]
+constexpr double kJointKeyStep = 0.1;                       // at the speed of a joint [s]
+constexpr double kPadCycle = 0.01;                          // from one on_pad to the next [s]
+constexpr float kPulled = 0.5F;                             // a trigger
+constexpr std::size_t kLeftTrigger = 4, kRightTrigger = 5;  // axes
 struct HandAxisRow {
   std::size_t axis;  // of the pad
   double sign;
-  std::size_t direction;  // forward, left, up
+  std::size_t direction;  // forward, left, up; or about these
 };
 constexpr std::array<HandAxisRow, 3> kHandAxes{{{1, -1.0, 0}, {0, -1.0, 1}, {3, -1.0, 2}}};
+// A stick to the right rolls to the right, forward tips forward, the other to the left turns left.
+constexpr std::array<HandAxisRow, 3> kTurnAxes{{{0, 1.0, 0}, {1, -1.0, 1}, {2, -1.0, 2}}};
+constexpr HandAxisRow kJointAxis{3, -1.0, 0};
 
 constexpr std::int32_t kDeadmanButton = kPadLeftShoulder;
 
@@ -79,7 +85,7 @@ struct KeyRow {
   const char* effect;
 };
 constexpr float kStep = 0.1f;
-constexpr std::array<KeyRow, 18> kKeys{{
+constexpr std::array<KeyRow, 20> kKeys{{
     {' ', 0, nullptr, 0, TeleopAction::kStop, "space", "STOP, at any time"},
     {'c', 0, nullptr, 0, TeleopAction::kClear, "c", "clear the stop"},
     {'w', kKeyUp, &Gamepad::left_y, kStep, TeleopAction::kNone, "w, arrow up",
@@ -99,17 +105,26 @@ constexpr std::array<KeyRow, 18> kKeys{{
     {'5', 0, nullptr, 0, TeleopAction::kWalk, "5",
      "walk: w s a d then walk, j l turn; 1 stands again"},
     {'h', 0, nullptr, 0, TeleopAction::kOtherHand, "h", "the other hand is the one to move"},
+    {']', 0, nullptr, 0, TeleopAction::kNextJoint, "]", "the next joint is the one to move"},
+    {'[', 0, nullptr, 0, TeleopAction::kPreviousJoint, "[", "the joint before it"},
     {'q', 3, nullptr, 0, TeleopAction::kQuit, "q, Ctrl-C", "let go and quit"},
 }};
 
-// Capitals move the chosen hand by a step; the planner finds a way around everything.
+// Capitals move or turn the chosen hand by a step; the planner finds a way around everything.
 struct HandKeyRow {
   int key;
-  std::size_t direction;  // forward, left, up
+  std::size_t direction;  // forward, left, up; 3 to 5: about these
   double sign;
 };
-constexpr std::array<HandKeyRow, 6> kHandKeys{
-    {{'W', 0, 1.0}, {'S', 0, -1.0}, {'A', 1, 1.0}, {'D', 1, -1.0}, {'I', 2, 1.0}, {'K', 2, -1.0}}};
+constexpr std::array<HandKeyRow, 12> kHandKeys{
+    {{'W', 0, 1.0}, {'S', 0, -1.0}, {'A', 1, 1.0}, {'D', 1, -1.0}, {'I', 2, 1.0}, {'K', 2, -1.0},
+     {'O', 3, 1.0}, {'U', 3, -1.0}, {'T', 4, 1.0}, {'G', 4, -1.0}, {'J', 5, 1.0}, {'L', 5, -1.0}}};
+// Of the chosen joint.
+struct JointKeyRow {
+  int key;
+  double sign;
+};
+constexpr std::array<JointKeyRow, 4> kJointKeys{{{'=', 1.0}, {'+', 1.0}, {'-', -1.0}, {'_', -1.0}}};
 
 constexpr int kMinRaw = -32767;  // SDL's range is one longer on the negative side
 constexpr double kFullRaw = 32767.0;
@@ -120,6 +135,17 @@ double unit(std::int16_t raw) { return std::max<int>(raw, kMinRaw) / kFullRaw; }
 bool changes_mode(TeleopAction action) {
   ModeRequest request;
   return to_mode_request(action, request);
+}
+
+// The right bumper and trigger.
+bool chooses_joint(const PadInput& input) {
+  return (input.buttons & kHandButton) != 0 && trigger_value(input.axes[kRightTrigger]) > kPulled;
+}
+
+TeleopAction joint_action(TeleopAction action) {
+  return action == TeleopAction::kLeftHand    ? TeleopAction::kPreviousJoint
+         : action == TeleopAction::kRightHand ? TeleopAction::kNextJoint
+                                              : action;
 }
 
 bool centred(const PadInput& input) {
@@ -165,6 +191,7 @@ void Teleop::release() noexcept {
   centre_first_ = false;
   gamepad_.deadman = false;
   hand_move_ = {};
+  joint_move_ = 0.0;
   zero_axes(gamepad_);
 }
 
@@ -194,7 +221,8 @@ void Teleop::on_pad(const PadInput& input) noexcept {
     const bool pressed = (input.buttons & row.buttons) == row.buttons;
     const bool before = (last_buttons_ & row.buttons) == row.buttons;
     if (row.action == TeleopAction::kDeadman) continue;
-    if (pressed && !before && (armed_ || !row.needs_deadman)) act(row.action);
+    if (!pressed || before || (row.needs_deadman && !armed_)) continue;
+    act(chooses_joint(input) ? joint_action(row.action) : row.action);
   }
   last_buttons_ = input.buttons;
   if (!deadman) {
@@ -209,13 +237,7 @@ void Teleop::on_pad(const PadInput& input) noexcept {
   gamepad_.deadman = armed_;
   zero_axes(gamepad_);
   if (!armed_) return;
-  if ((input.buttons & kHandButton) != 0) {
-    for (const HandAxisRow& row : kHandAxes) {
-      hand_move_[row.direction] +=
-          kPadCycle * kHandSpeed * static_cast<double>(stick_value(input.axes[row.axis], row.sign));
-    }
-    return;
-  }
+  if ((input.buttons & kHandButton) != 0) return move_arm(input);
   centre_first_ = centre_first_ && !centred(input);
   if (centre_first_) return;
   for (const AxisRow& row : kAxes) {
@@ -225,14 +247,43 @@ void Teleop::on_pad(const PadInput& input) noexcept {
   gamepad_.right_trigger = trigger_value(input.axes[5]);
 }
 
+// The right trigger: a joint, the left one: the hand turns, neither: it moves.
+void Teleop::move_arm(const PadInput& input) noexcept {
+  const auto stick = [&](const HandAxisRow& row) {
+    return kPadCycle * static_cast<double>(stick_value(input.axes[row.axis], row.sign));
+  };
+  if (chooses_joint(input)) {
+    joint_move_ += stick(kJointAxis);
+  } else if (trigger_value(input.axes[kLeftTrigger]) > kPulled) {
+    for (const HandAxisRow& row : kTurnAxes) hand_move_.turn[row.direction] += kTurnSpeed * stick(row);
+  } else {
+    for (const HandAxisRow& row : kHandAxes) hand_move_.by[row.direction] += kHandSpeed * stick(row);
+  }
+}
+
+bool Teleop::arm_key(int key) noexcept {
+  for (const HandKeyRow& row : kHandKeys) {
+    if (row.key != key) continue;
+    if (!take_hold()) return true;
+    if (row.direction < 3) {
+      hand_move_.by[row.direction] += row.sign * kHandKeyStep;
+    } else {
+      hand_move_.turn[row.direction - 3] += row.sign * kTurnKeyStep;
+    }
+    return true;
+  }
+  for (const JointKeyRow& row : kJointKeys) {
+    if (row.key != key) continue;
+    if (take_hold()) joint_move_ += row.sign * kJointKeyStep;
+    return true;
+  }
+  return false;
+}
+
 void Teleop::on_key(int key, std::int64_t now_ns) noexcept {
   if (key <= 0) return;
-  const auto hand_row =
-      std::find_if(kHandKeys.begin(), kHandKeys.end(),
-                   [&](const HandKeyRow& candidate) { return candidate.key == key; });
-  if (hand_row != kHandKeys.end()) {
+  if (arm_key(key)) {
     last_key_ns_ = now_ns;
-    if (take_hold()) hand_move_[hand_row->direction] += hand_row->sign * kHandKeyStep;
     return;
   }
   const auto row = std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyRow& candidate) {
@@ -256,9 +307,9 @@ bool Teleop::take_hold() noexcept {
   return true;
 }
 
-std::array<double, 3> Teleop::take_hand_move() noexcept {
-  return std::exchange(hand_move_, std::array<double, 3>{});
-}
+HandMove Teleop::take_hand_move() noexcept { return std::exchange(hand_move_, {}); }
+
+double Teleop::take_joint_move() noexcept { return std::exchange(joint_move_, 0.0); }
 
 void Teleop::act(TeleopAction action) noexcept {
   if (action == TeleopAction::kStop) {
@@ -273,6 +324,7 @@ void Teleop::act(TeleopAction action) noexcept {
   if (action == TeleopAction::kCentre) {
     zero_axes(gamepad_);
     hand_move_ = {};
+    joint_move_ = 0.0;
   }
   if (changes_mode(action)) {
     zero_axes(gamepad_);
@@ -344,6 +396,9 @@ std::string cheat_sheet(bool keyboard) {
     append_row(text, "W S A D, with shift",
                "hand 20 mm forward, back, left, right, around everything");
     append_row(text, "I K, with shift", "hand 20 mm up, down; x stops it");
+    append_row(text, "U O, T G, J L, with shift",
+               "hand rolls left, right; tips forward, back; turns left, right by 3 degrees; it keeps its turn from then on");
+    append_row(text, "+ -", "the chosen joint one way, the other, at a quarter of its speed while the key is held");
     append_row(text, "no key for 30 s", "counts as letting go, as does closing the terminal");
     return text;
   }
@@ -353,6 +408,10 @@ std::string cheat_sheet(bool keyboard) {
   append_row(text, "right bumper (RB), held too",
              "sticks move the hand: left stick along the ground,");
   append_row(text, "", "right stick up / down; the planner finds the way");
+  append_row(text, "RB and LT", "sticks turn the hand: left stick rolls and tips it,");
+  append_row(text, "", "right stick turns it left / right; it keeps its turn from then on");
+  append_row(text, "RB and RT", "right stick up / down moves the chosen joint, cross left / right");
+  append_row(text, "", "chooses the one before or the next");
   text += "  take hold with centred sticks; letting go of LB or unplugging sends zeros; after a change of mode the sticks\n"
           "  count again once they were centred\n";
   return text;

@@ -43,6 +43,11 @@ struct PadInput {
 // Keys that are not a byte.
 enum Key : int { kKeyUp = 256, kKeyDown, kKeyLeft, kKeyRight };
 
+// How far a hand is to move (forward, left, up [m]) and to turn about these three axes [rad].
+struct HandMove {
+  std::array<double, 3> by{}, turn{};
+};
+
 enum class TeleopAction {
   kNone,
   kDeadman,  // held, not pressed
@@ -57,6 +62,8 @@ enum class TeleopAction {
   kOtherHand,
   kLeftHand,
   kRightHand,
+  kNextJoint,
+  kPreviousJoint,
   kQuit,
 };
 
@@ -75,8 +82,10 @@ class Teleop {
 
   // The next message to send; counts the sequence up.
   Gamepad message(std::int64_t utime, std::int64_t now_ns) noexcept;
-  // How far the chosen hand is to move, forward, left and up [m], since the last call.
-  std::array<double, 3> take_hand_move() noexcept;
+  // Of the chosen hand, since the last call.
+  HandMove take_hand_move() noexcept;
+  // Of the chosen joint, since the last call: so long at the speed of a joint that is jogged, either way [s].
+  double take_joint_move() noexcept;
   ArmSide hand() const noexcept { return hand_; }
   // The next thing asked for besides the axes; kNone when there is nothing more.
   TeleopAction take_action() noexcept;
@@ -86,6 +95,8 @@ class Teleop {
 
  private:
   void act(TeleopAction action) noexcept;
+  void move_arm(const PadInput& input) noexcept;
+  bool arm_key(int key) noexcept;
   void release() noexcept;
   bool take_hold() noexcept;
 
@@ -100,7 +111,8 @@ class Teleop {
   std::int64_t last_key_ns_ = 0;
   std::int64_t run_id_ = 0;
   ArmSide hand_ = ArmSide::kLeft;
-  std::array<double, 3> hand_move_{};  // [m]
+  HandMove hand_move_;
+  double joint_move_ = 0.0;  // [s]
   std::array<TeleopAction, 16> actions_{};
   int action_count_ = 0;
 };

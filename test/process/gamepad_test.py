@@ -30,10 +30,10 @@ TRIES = 4
 class Keyboard:
     """`twinbus gamepad --keyboard` in a terminal of its own."""
 
-    def __init__(self):
+    def __init__(self, *options):
         self.master, slave = pty.openpty()
         fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 40, 120, 0, 0))
-        self.child = subprocess.Popen([BIN / "twinbus", "gamepad", "--keyboard"], stdin=slave, stdout=slave, stderr=slave,
+        self.child = subprocess.Popen([BIN / "twinbus", "gamepad", "--keyboard", *options], stdin=slave, stdout=slave, stderr=slave,
                                       start_new_session=True)
         os.close(slave)
         self.text = ""

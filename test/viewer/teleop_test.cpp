@@ -302,11 +302,11 @@ TEST(Teleop, CapitalsMoveAHandByTwentyMillimetresAndLeaveTheBodyAlone) {
   Teleop teleop(7, true);
   teleop.on_source(kRun, false);
   for (const char key : {'W', 'W', 'D', 'I'}) teleop.on_key(key, kSecond);
-  const std::array<double, 3> move = teleop.take_hand_move();
+  const std::array<double, 3> move = teleop.take_hand_move().by;
   EXPECT_NEAR(move[0], 0.04, 1e-12);
   EXPECT_NEAR(move[1], -0.02, 1e-12);
   EXPECT_NEAR(move[2], 0.02, 1e-12);
-  EXPECT_EQ(teleop.take_hand_move()[0], 0.0) << "once";
+  EXPECT_EQ(teleop.take_hand_move().by[0], 0.0) << "once";
   const Gamepad pad = teleop.message(0, kSecond);
   EXPECT_TRUE(pad.deadman);
   EXPECT_EQ(pad.left_y, 0.0f);
@@ -315,7 +315,7 @@ TEST(Teleop, CapitalsMoveAHandByTwentyMillimetresAndLeaveTheBodyAlone) {
   EXPECT_EQ(teleop.hand(), ArmSide::kRight);
   teleop.on_key(' ', kSecond);
   teleop.on_key('W', kSecond);
-  EXPECT_EQ(teleop.take_hand_move()[0], 0.0) << "while a stop is asked for";
+  EXPECT_EQ(teleop.take_hand_move().by[0], 0.0) << "while a stop is asked for";
 }
 
 TEST(Teleop, WithTheRightBumperTheSticksMoveAHandAndLeaveTheBodyAlone) {
@@ -324,12 +324,61 @@ TEST(Teleop, WithTheRightBumperTheSticksMoveAHandAndLeaveTheBodyAlone) {
   input.buttons |= kPadRightShoulder | kPadRight;
   input.axes[1] = -32767;
   for (int cycle = 0; cycle < 100; ++cycle) teleop.on_pad(input);
-  EXPECT_NEAR(teleop.take_hand_move()[0], 0.10, 1e-6) << "after a second at full stick";
+  EXPECT_NEAR(teleop.take_hand_move().by[0], 0.10, 1e-6) << "after a second at full stick";
   EXPECT_EQ(teleop.message(0, 0).left_y, 0.0f);
   EXPECT_EQ(teleop.hand(), ArmSide::kRight);
   teleop.on_pad(input);
   teleop.on_pad(released());
-  EXPECT_EQ(teleop.take_hand_move()[0], 0.0) << "who has let go moves nothing";
+  EXPECT_EQ(teleop.take_hand_move().by[0], 0.0) << "who has let go moves nothing";
+}
+
+TEST(Teleop, CapitalsTurnAHandAndSignsMoveAJoint) {
+  Teleop teleop(7, true);
+  teleop.on_source(kRun, false);
+  for (const char key : {'O', 'O', 'G', 'J', '+', '=', '-', '+'}) teleop.on_key(key, kSecond);
+  const HandMove move = teleop.take_hand_move();
+  EXPECT_EQ(move.by, (std::array<double, 3>{}));
+  EXPECT_NEAR(move.turn[0], 0.10, 1e-12);
+  EXPECT_NEAR(move.turn[1], -0.05, 1e-12);
+  EXPECT_NEAR(move.turn[2], 0.05, 1e-12);
+  EXPECT_NEAR(teleop.take_joint_move(), 0.2, 1e-12);
+  EXPECT_EQ(teleop.take_joint_move(), 0.0) << "once";
+  teleop.on_key(']', kSecond);
+  teleop.on_key('[', kSecond);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kNextJoint);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kPreviousJoint);
+  teleop.on_key('+', kSecond);
+  teleop.on_key('x', kSecond);
+  EXPECT_EQ(teleop.take_joint_move(), 0.0) << "x stops it";
+  teleop.on_key(' ', kSecond);
+  for (const char key : {'+', 'O'}) teleop.on_key(key, kSecond);
+  EXPECT_EQ(teleop.take_joint_move(), 0.0) << "while a stop is asked for";
+  EXPECT_EQ(teleop.take_hand_move().turn[0], 0.0);
+}
+
+TEST(Teleop, WithATriggerTheSticksTurnTheHandOrMoveAJoint) {
+  Teleop teleop = armed();
+  PadInput input = held();
+  input.buttons |= kPadRightShoulder;
+  input.axes = {32767, 0, 0, -32767, 32767, 0};  // left trigger
+  for (int cycle = 0; cycle < 100; ++cycle) teleop.on_pad(input);
+  HandMove move = teleop.take_hand_move();
+  EXPECT_NEAR(move.turn[0], 0.4, 1e-6) << "to the right: rolls to the right";
+  EXPECT_EQ(move.by, (std::array<double, 3>{}));
+  EXPECT_EQ(teleop.take_joint_move(), 0.0);
+  input.axes = {32767, 0, 0, -32767, 0, 32767};  // right trigger
+  for (int cycle = 0; cycle < 100; ++cycle) teleop.on_pad(input);
+  move = teleop.take_hand_move();
+  EXPECT_EQ(move.turn[0], 0.0);
+  EXPECT_EQ(move.by, (std::array<double, 3>{}));
+  EXPECT_NEAR(teleop.take_joint_move(), 1.0, 1e-6);
+  EXPECT_EQ(teleop.message(0, 0).right_trigger, 0.0f) << "the body is left alone";
+  input.buttons |= kPadRight;
+  teleop.on_pad(input);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kNextJoint);
+  EXPECT_EQ(teleop.hand(), ArmSide::kLeft) << "no hand is chosen by it";
+  teleop.on_pad(released());
+  EXPECT_EQ(teleop.take_joint_move(), 0.0) << "who has let go moves nothing";
 }
 
 }  // namespace

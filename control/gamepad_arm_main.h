@@ -1,0 +1,168 @@
+// The arms that the gamepad process moves: a hand by goals for the planner, a joint by poses.  For gamepad_main.cpp only.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <utility>
+
+#include "common/process/process.h"
+#include "common/text/formatted.h"
+#include "control/teleop/hand_target.h"
+#include "control/teleop/joint_target.h"
+#include "control/teleop/teleop.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/labels.h"
+#include "robot/collision/thing_name.h"
+#include "robot/description/hand_of.h"
+#include "robot/estimation/estimator.h"
+
+namespace twinbus {
+
+// The hand and the joint that are moved: where they are, whether another operator drives, what is asked for, and why it is
+// not done.
+class GamepadArm {
+ public:
+  GamepadArm(const Model& model, std::int64_t id) : model_(model), estimator_(model), id_(id), joint_(model) {
+    target_.choose(hand_of(model, 0) == &model.hands[1] ? ArmSide::kRight : ArmSide::kLeft);
+  }
+
+  void listen(Bus& bus) {
+    bus.listen_each<&HandTarget::on_path>(channel::kArmPath, target_);
+    bus.listen_each<&GamepadArm::hear_status>(channel::kControllerStatus, *this);
+    bus.listen_each<&GamepadArm::hear_gamepad>(channel::kGamepad, *this);
+    bus.listen_each<&GamepadArm::hear_event>(channel::kEvent, *this);
+    bus.listen_each<&GamepadArm::hear_guard>(channel::kGuard, *this);
+  }
+  // Once per cycle, with the newest state.
+  void update(const RobotState& state, bool fresh, Teleop& teleop) {
+    heard_ = fresh;
+    known_ = fresh && state.model_hash == model_.hash && state.joint_count == model_.bus_count();
+    const HandMove by = teleop.take_hand_move();
+    const double joint_by = teleop.take_joint_move();
+    const Hand* hand = hand_of(model_, teleop.hand() == ArmSide::kLeft ? 0 : 1);
+    target_.choose(hand == &model_.hands[1] ? ArmSide::kRight : ArmSide::kLeft);
+    const bool holds = teleop.holding() && known_ && state.stop_kind == StopKind::kNone;
+    if (!holds) {
+      if (held_) stop();
+      held_ = drives_ = false;
+      return;
+    }
+    estimator_.update(state);
+    if (!held_) drives_ = other_ns_ == 0 || seconds_since(other_ns_) > kOtherHolds;
+    held_ = true;
+    if (!drives_) return;
+    if (joint_by != 0.0) {
+      asked_ns_ = monotonic_ns();
+      joint_shown_ = true;
+      joint_.move(joint_by, state, mode_);
+    }
+    if (hand == nullptr) return;
+    if (by.by != HandMove{}.by || by.turn != HandMove{}.turn) {
+      asked_ns_ = monotonic_ns();
+      joint_shown_ = false;
+    }
+    const Eigen::Isometry3d at = estimator_.ground_in_world().inverse() *
+                                 estimator_.kinematics().link_in_world(hand->link) * hand->frame;
+    target_.move(Eigen::Vector3d(by.by.data()), Eigen::Vector3d(by.turn.data()), at);
+  }
+  void stop() {
+    target_.stop();
+    joint_.stop();
+  }
+  void choose_joint(int step) {
+    joint_.choose(step);
+    joint_shown_ = true;
+  }
+  // A pose to ask the controller for, all but its addressing; false when there is none.
+  bool next_pose(std::int64_t now_ns, const RobotState& state, ModeRequest& pose) {
+    return known_ && state.stop_kind == StopKind::kNone && joint_.next(now_ns, state, pose);
+  }
+  // Why what was asked for is not done, once; empty when there is nothing new.
+  std::string take_sentence() {
+    const bool refused = target_.phase() == HandTarget::Phase::kRefused;
+    if (refused && !refused_) sentence_ = "the hand stays: " + why_no_way();
+    refused_ = refused;
+    return std::exchange(sentence_, {});
+  }
+  bool walks() const { return mode_ == Mode::kWalk; }
+  void send(Bus& bus, const RobotState& state, std::int64_t utime, std::int64_t now) {
+    ArmGoal goal;
+    if (!target_.next(now, state.run_id, random_id(), goal)) return;
+    goal.sender_id = id_;
+    goal.utime = utime;
+    static_cast<void>(bus.send(channel::kArmGoal, goal));  // counted by the bus
+  }
+  std::string words(const RobotState& state) const {
+    if (known_ && joint_shown_) return joint_.words(state);
+    const char* side = target_.side() == ArmSide::kLeft ? "left" : "right";
+    const Eigen::Vector3d& at = target_.wanted();
+    switch (target_.phase()) {
+      case HandTarget::Phase::kAsked:
+      case HandTarget::Phase::kGoing:
+        return formatted("%s hand to %.2f %.2f %.2f", side, at.x(), at.y(), at.z());
+      case HandTarget::Phase::kRefused:
+        return std::string(side) + " hand: " + (target_.unanswered() ? "no planner answers" : "no way there");
+      case HandTarget::Phase::kIdle:
+        break;
+    }
+    if (!heard_) return "";
+    return known_ ? std::string(side) + " hand" : "hands of another robot: --robot says which";
+  }
+
+ private:
+  static constexpr double kOtherHolds = 0.2;  // [s] since the other was heard holding on
+
+  static constexpr double kAnswers = 2.0;     // [s] after a wish, what others tell is of it
+
+  bool asked() const { return asked_ns_ != 0 && seconds_since(asked_ns_) < kAnswers; }
+  std::string why_no_way() const {
+    if (target_.unanswered()) return "no planner answers";
+    const std::array<int, 2> pair = target_.touching();
+    const bool touches =
+        target_.refusal() == ArmPathStatus::kStartInCollision || target_.refusal() == ArmPathStatus::kGoalInCollision;
+    const std::string why = label(target_.refusal());
+    if (!touches) return why;
+    return why + ": " + thing_name(model_, {}, pair[0]).data() + " and " + thing_name(model_, {}, pair[1]).data();
+  }
+  // What the controller, planner or guard tells while something is asked for.
+  void hear_event(const Event& event) {
+    const bool answers = event.kind == ProcessKind::kController || event.kind == ProcessKind::kGuard;
+    if (!asked() || !answers) return;
+    sentence_.assign(event.text.data(), strnlen(event.text.data(), event.text.size()));
+  }
+  // Once when the guard begins to hold joints.
+  void hear_guard(const GuardReport& report) {
+    const bool holds = report.hold_mask != 0 && asked();
+    if (holds && !guarded_ && report.pairs_near > 0) {
+      sentence_ = std::string("held by the guard: ") + thing_name(model_, {}, report.link_a[0]).data() + " is " +
+                  formatted("%.0f mm", 1e3 * static_cast<double>(report.distance[0])) + " from " +
+                  thing_name(model_, {}, report.link_b[0]).data();
+    }
+    guarded_ = report.hold_mask != 0;
+  }
+  void hear_status(const ControllerStatus& status) {
+    target_.on_status(status);
+    mode_ = status.mode;
+  }
+  void hear_gamepad(const Gamepad& pad) {
+    if (pad.sender_id != id_ && pad.deadman) other_ns_ = monotonic_ns();
+  }
+
+  const Model& model_;
+  Estimator estimator_;
+  std::int64_t id_;
+  HandTarget target_;
+  JointTarget joint_;
+  std::string sentence_;
+  std::int64_t asked_ns_ = 0;
+  bool joint_shown_ = false, refused_ = false, guarded_ = false;
+  bool heard_ = false, known_ = false, held_ = false, drives_ = false;
+  std::int64_t other_ns_ = 0;
+  Mode mode_ = Mode::kNone;
+};
+
+}  // namespace twinbus

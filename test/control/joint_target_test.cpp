@@ -1,0 +1,104 @@
+#include "control/teleop/joint_target.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "control/joint/posture.h"
+#include "hrp1s.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+class JointJog : public ::testing::Test {
+ protected:
+  JointJog() : model_(load_robot("hrp1s")), target_(model_) {
+    state_.joint_count = static_cast<std::int16_t>(model_.bus_count());
+  }
+  const Joint& joint() const { return model_.joints[at(model_.bus_joints[at(target_.chosen())])]; }
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  double& q() { return state_.q[at(target_.chosen())]; }
+
+  Model model_;
+  JointTarget target_;
+  RobotState state_;
+  ModeRequest pose_;
+};
+
+TEST_F(JointJog, BeginsWithAnArmAndGoesRoundAllJoints) {
+  const int first = target_.chosen();
+  EXPECT_EQ(model_.bus_joints[at(first)], model_.hands[0].joints.front());
+  target_.choose(-1);
+  target_.choose(1);
+  EXPECT_EQ(target_.chosen(), first);
+  for (int k = 0; k < model_.bus_count(); ++k) target_.choose(1);
+  EXPECT_EQ(target_.chosen(), first);
+}
+
+// A key held for two seconds, with a controller that follows each pose: as fast as it may be, never faster, and at rest soon after.
+TEST_F(JointJog, AHeldKeyMovesTheJointAtABoundedSpeed) {
+  Posture posture(model_);
+  q() = 0.2;
+  posture.rest(state_.q);
+  double fastest = 0.0, middle = 0.0;
+  for (std::int64_t ms = 0; ms < 4000; ms += 2) {
+    if (ms % 34 == 0 && ms < 2000) target_.move(0.1, state_, Mode::kPose);
+    if (target_.next(ms * kMs, state_, pose_)) {
+      EXPECT_EQ(pose_.mode, Mode::kPose);
+      EXPECT_EQ(pose_.joint_mask, std::int64_t{1} << target_.chosen());
+      posture.move(pose_.q, pose_.joint_mask, static_cast<double>(pose_.duration));
+    }
+    posture.advance(0.002);
+    fastest = std::max(fastest, std::abs(posture.qd(target_.chosen())));
+    q() = posture.q(target_.chosen());
+    if (ms == 2000) middle = q();
+  }
+  EXPECT_LE(fastest, 1.05 * target_.speed());
+  EXPECT_GE(middle - 0.2, 0.5 * 2.0 * target_.speed());
+  EXPECT_LE(q() - middle, 0.55 * target_.speed()) << "it rests where it was sent last";
+  EXPECT_FALSE(posture.moving());
+}
+
+TEST_F(JointJog, StopsAtItsLimitAndSaysSo) {
+  q() = joint().upper - 0.01;
+  for (int i = 0; i < 20; ++i) target_.move(0.1, state_, Mode::kHold);
+  ASSERT_TRUE(target_.next(kMs * 1000, state_, pose_));
+  EXPECT_EQ(pose_.q[at(target_.chosen())], joint().upper);
+  EXPECT_NE(target_.words(state_).find("is at its upper limit"), std::string::npos);
+  target_.move(-0.1, state_, Mode::kHold);
+  EXPECT_EQ(target_.words(state_).find("limit"), std::string::npos);
+}
+
+TEST_F(JointJog, StopsWhereItIsWhenLetGo) {
+  q() = 0.1;
+  for (int i = 0; i < 5; ++i) target_.move(0.1, state_, Mode::kHold);
+  ASSERT_TRUE(target_.next(kMs * 1000, state_, pose_));
+  q() = 0.12;
+  target_.stop();
+  ASSERT_TRUE(target_.next(kMs * 1010, state_, pose_));
+  EXPECT_EQ(pose_.q[at(target_.chosen())], 0.12);
+  EXPECT_FALSE(target_.next(kMs * 1020, state_, pose_)) << "once";
+  target_.stop();
+  EXPECT_FALSE(target_.next(kMs * 1030, state_, pose_)) << "nothing to stop";
+}
+
+TEST_F(JointJog, DoesNothingWhileTheRobotWalksOrIsLetGoAndWithNonsense) {
+  for (const Mode mode : {Mode::kWalk, Mode::kIdle}) {
+    target_.move(0.1, state_, mode);
+    EXPECT_FALSE(target_.next(kMs * 1000, state_, pose_));
+    EXPECT_NE(target_.words(state_), joint().name + " 0.000 rad");
+  }
+  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), 0.0}) {
+    target_.move(wrong, state_, Mode::kHold);
+    EXPECT_FALSE(target_.next(kMs * 2000, state_, pose_));
+  }
+  q() = std::nan("");
+  target_.move(0.1, state_, Mode::kHold);
+  EXPECT_FALSE(target_.next(kMs * 3000, state_, pose_));
+}
+
+}  // namespace
+}  // namespace twinbus
