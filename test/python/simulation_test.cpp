@@ -198,7 +198,7 @@ TEST(RobotQuery, PlansAndMeasures) {
   for (std::size_t i = 1; i < near.size(); ++i) EXPECT_LE(near[i - 1].distance, near[i].distance);
   EXPECT_GT(near[0].distance, 0.0);
   const Eigen::Vector3d goal(0.35, 0.25, 0.1);
-  const RobotQuery::Path path = robot.plan(q, "left", goal, 0.4, 1);
+  const RobotQuery::Path path = robot.plan(q, "left", {.position = goal, .orientation = {}}, {}, 0.4, 1);
   ASSERT_FALSE(path.time.empty()) << path.text;
   for (std::size_t c = 0; c < path.joints.size(); ++c) {
     const int j = model.find_joint(path.joints[c]);
@@ -213,8 +213,8 @@ TEST(RobotQuery, PlansAndMeasures) {
   }
   const Eigen::Vector3d reached = (at * hand.frame.translation().homogeneous()).head<3>();
   EXPECT_LT((reached - goal).norm(), 2e-3);
-  EXPECT_FALSE(robot.plan(q, "left", {5.0, 0.0, 0.0}, 0.4, 1).text.empty());
-  EXPECT_TRUE(robot.plan(q, "left", {5.0, 0.0, 0.0}, 0.4, 1).time.empty());
+  EXPECT_FALSE(robot.plan(q, "left", {.position = {5.0, 0.0, 0.0}, .orientation = {}}, {}, 0.4, 1).text.empty());
+  EXPECT_TRUE(robot.plan(q, "left", {.position = {5.0, 0.0, 0.0}, .orientation = {}}, {}, 0.4, 1).time.empty());
 }
 
 TEST(RobotQuery, NamesWhatIsWrong) {
@@ -222,7 +222,7 @@ TEST(RobotQuery, NamesWhatIsWrong) {
   std::vector<double> q(robot.model().bus_joints.size());
   EXPECT_EQ(test::error_of([&] { (void)robot.com({0.0}); }), "q: 1 numbers, the robot has 29 joints");
   EXPECT_NE(test::error_of([&] { (void)robot.link_pose(q, "CHES"); }).find("CHEST"), std::string::npos);
-  EXPECT_NE(test::error_of([&] { (void)robot.plan(q, "third", Eigen::Vector3d::Zero(), 0.4, 1); }).find("left or right"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { (void)robot.plan(q, "third", {}, {}, 0.4, 1); }).find("left or right"), std::string::npos);
   q[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(test::error_of([&] { (void)robot.com(q); }), "q of joint RLEG_KNEE is not finite");
 }
