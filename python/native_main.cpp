@@ -361,7 +361,8 @@ void bind_robot(nb::module_& m) {
         return self.is->inverse(list_of(q), hand, place_of(position, orientation));
       })
       .def("plan", [](Query& self, const Numbers& q, const std::string& hand, const std::array<double, 3>& position,
-                      const std::vector<double>& orientation, const std::vector<BoxOrBall>& obstacles, double speed, std::uint64_t seed) {
+                      const std::vector<double>& orientation, const std::vector<BoxOrBall>& obstacles, double speed,
+                      std::uint64_t seed) {
         const Turn turn(self.busy);
         nb::gil_scoped_release free;
         std::vector<Obstacle> all;

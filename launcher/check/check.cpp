@@ -238,7 +238,8 @@ void print(const Trial& trial) {
       return;
     }
     if (trial.arm) {
-      std::printf("an arm on a fixed base: arm_hold, arm_reach, arm_scan and arm_pick are its scenes; ./twinbus up arm holds it for jog, reach and pose\n");
+      print_typed(stdout, "an arm on a fixed base: arm_hold, arm_reach, arm_scan and arm_pick are its scenes; "
+                          "./twinbus up arm holds it for jog, reach and pose\n");
       return;
     }
     if (trial.stood) {

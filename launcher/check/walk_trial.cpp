@@ -238,7 +238,9 @@ GaitChoice tuned(Search& search, const Gait& usual, double leg, double& speed) {
   const double scale = std::sqrt(kGravity * leg);
   const double target = 0.5 * kPlenty * scale, calm = kCalm * speed;
   const double margin = speed >= kPlenty * scale && search.walks({}, calm, kShort) ? kMargin * search.margin() : -1.0;
-  const auto keeps_margin = [&](const GaitChoice& gait) { return margin < 0.0 || (search.walks(gait, calm, kShort) && search.margin() >= margin); };
+  const auto keeps_margin = [&](const GaitChoice& gait) {
+    return margin < 0.0 || (search.walks(gait, calm, kShort) && search.margin() >= margin);
+  };
   const auto try_one = [&](GaitChoice gait) {
     for (int k = 0; k < 3 && search.time_left(); ++k) {
       const double wanted = speed > 0.0 ? kGain * speed : target;
