@@ -1,7 +1,6 @@
 #include "bridge/gate/masked_brake.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/math/index.h"
 #include "robot/kinematics/brake.h"
@@ -17,13 +16,13 @@ MaskedBrake::Released MaskedBrake::hold(std::int64_t mask, const GateLimits& lim
     const Joint& joint = limits.robot->joints[at(limits.robot->bus_joints[i])];
     if ((end & bit(j)) != 0)
       (is_soft(static_cast<double>(client.kp[i]), joint) ? released.at_once : released.faded) |= bit(j);
-    const bool stays =
-        !is_soft(static_cast<double>(effective.kp[i]), joint) && std::abs(effective.q[i] - measured.q[i]) <= kFarSetPoint;
-    if (!measured.known || stays || (begin & bit(j)) == 0) continue;
-    const auto fastest = static_cast<float>(limits.velocity[i]);
-    effective.q[i] = measured.q[i];
-    effective.qd[i] = std::clamp(measured.qd[i], -fastest, fastest);
-    effective.tau[i] = 0.0F;
+    if (!measured.known || (begin & bit(j)) == 0) continue;
+    const BrakeStart start = brake_start(effective.q[i], static_cast<double>(effective.qd[i]), measured.q[i],
+                                         static_cast<double>(measured.qd[i]), limits.velocity[i],
+                                         is_soft(static_cast<double>(effective.kp[i]), joint));
+    effective.q[i] = start.q;
+    effective.qd[i] = static_cast<float>(start.v);
+    effective.tau[i] *= static_cast<float>(start.share);
     effective.kp[i] = std::max(effective.kp[i], limits.stop_kp[i]);
     effective.kd[i] = std::max(effective.kd[i], limits.stop_kd[i]);
   }

@@ -1,7 +1,7 @@
 // Brings the joints of a guard's mask to rest, as the guard foretells it (robot/kinematics/brake.h).
 //
 // A set-point that its joint follows is braked as it is.  One that is far away, or pulls softly, says little about where its
-// joint goes: there the brake begins at the measured joint, with the gains of a hold and without feed-forward.
+// joint goes: there the brake begins at the measured joint, without feed-forward.  The gains are those of a hold at least.
 
 #pragma once
 
@@ -15,8 +15,8 @@ namespace twinbus {
 
 class MaskedBrake {
  public:
-  // The mask of a tick, bit per joint.  effective: what was written last; of joints that begin to be braked softly it becomes
-  // what the brake begins with.
+  // The mask of a tick, bit per joint.  effective: what was written last; of joints that begin to be braked it becomes what the
+  // brake begins with.
   struct Released {  // bit per joint
     std::int64_t faded = 0;    // back to the client
     std::int64_t at_once = 0;  // to a soft servo, which throws nothing; a stiff one that grows soft carries the joint along

@@ -299,9 +299,10 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   if (command != nullptr) prove_mask();
   work.looks = kMostLooks - looks_left;
   work.stretches = kMostStretches - stretches_left;
+  const bool leads = danger || (command != nullptr && leads_nearer(*command));
   for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
     // Soft servos are let go together, once none of them leads into anything: what is let go while others are held moves them.
-    const bool stays = danger && keep[k] > 0 && servos.is_soft(k);
+    const bool stays = leads && keep[k] > 0 && servos.is_soft(k);
     const bool caused = ((mask >> k) & 1) != 0 || stays;
     keep[k] = caused ? kKeepTicks : std::max(0, keep[k] - 1);
     if (keep[k] > 0) mask |= std::int64_t{1} << k;

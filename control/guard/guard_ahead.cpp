@@ -6,6 +6,7 @@
 
 #include "control/guard/guard_parts.h"
 #include "common/math/index.h"
+#include "robot/kinematics/brake.h"
 
 namespace twinbus {
 
@@ -63,6 +64,24 @@ double Guard::Impl::approach(const Kinematics& kinematics, const PairDistance& p
           ? axis
           : Vector3d(axis.cross(point - kinematics.link_in_world(joint + 1).translation()));
   return (with_b ? step : -step) * pair.normal.dot(motion);
+}
+
+// Do the joints that are still held come nearer to anything inside its margin on the way back to their set-points?  A fade
+// begins so slowly that no look along it sees that in time: each release would cost a little of the margin.
+bool Guard::Impl::leads_nearer(const JointCommand& command) const noexcept {
+  for (int p = 0; p < pair_count; ++p) {
+    const PairDistance& pair = pairs[at(p)];
+    if (!(pair.distance < margin_of(pair.link_a, pair.link_b)) || !(pair.distance > -kLost)) continue;
+    double nearer = 0.0;
+    for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
+      const int j = model->bus_joints[at(k)];
+      const bool fades = keep[at(k)] > 0 && servos.is_soft(at(k)) &&
+                         !is_soft(static_cast<double>(command.kp[at(k)]), model->joints[at(j)]);
+      if (fades) nearer -= approach(*now_kinematics, pair, j, command.q[at(k)] - now.q[j]);
+    }
+    if (nearer > kNearer) return true;
+  }
+  return false;
 }
 
 // Masks the joints that bring the pair together as seen from this posture; false if none does.
@@ -227,6 +246,8 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
 // that are still held besides are let go with it, or stay where they are: both may come.
 void Guard::Impl::prove_mask() noexcept {
   for (int round = 0; round < kMostRounds; ++round) {
+    // What soft servos do to one another is not theirs to answer for: all are held.
+    if ((mask & servos.soft()) != 0) mask |= all_but_legs;
     const std::int64_t before = mask, held = mask | kept(), stay = held | on_hold();
     bool near = false;
     if (mask != 0) least_share = 0.0;
@@ -243,7 +264,6 @@ void Guard::Impl::prove_mask() noexcept {
       if (travel(masked, &obeyed) > (1.0 - kProved) * margin_shares.least() * config.margin) look_along(masked);
     }
     if (mask != before) continue;
-    // What soft servos do to those that are held is not theirs to answer for: all are.
     if (near && servos.soft() != 0) break;
     return;
   }

@@ -112,6 +112,7 @@ struct Guard::Impl {
   bool blame_at(const Kinematics& kinematics, const PairDistance& pair,
                 const Courses& courses) noexcept;
   double approach_speed(const PairDistance& pair) const noexcept;
+  bool leads_nearer(const JointCommand& command) const noexcept;
   void fill_rows() noexcept;
 };
 

@@ -18,8 +18,11 @@ constexpr double kStrays = 0.2;        // a set-point that was far from its join
 constexpr int kPartsOfTick = 2;         // steps until the brake comes
 constexpr double kBrakeStep = 0.005;   // of the look along a brake [s]
 constexpr int kMostBrakeSteps = 60;
+constexpr double kNearLimit = 0.95;     // of an effort: a torque beyond it may be cut
 constexpr double kRests = 0.02;        // [rad/s or m/s]
 constexpr double kLeastBrake = 1.0;    // [rad/s^2 or m/s^2]
+constexpr int kLimitPasses = 4;        // of a step, until it is known which torques and joints are at their limits
+constexpr double kStop = 1e6;          // of a stop, beside inertia [kg m^2 or kg]
 constexpr std::int64_t kMostLeftOut = 10'000;
 
 // The smaller of two that agree on where to go, or zero.
@@ -93,10 +96,11 @@ void ServoPredictor::hear(const RobotState& state, const JointCommand& command) 
     const auto i = at(k);
     Servo& s = servos_[i];
     if (!started_) {
-      s.q = s.asked = state.q[i];
+      s.q = s.heard_q = s.asked = state.q[i];
       s.kp = s.of->kp;
       s.kd = s.of->kd;
-      s.speed = s.step = s.qd = 0.0;
+      s.client_speed = s.step = s.qd = 0.0;
+      s.client_q = command.q[i];
     }
     s.from_q = s.q - command.q[i];
     s.from_v = s.qd - static_cast<double>(command.qd[i]);
@@ -112,35 +116,45 @@ void ServoPredictor::hear(const RobotState& state, const JointCommand& command) 
   started_ = true;
 }
 
-bool ServoPredictor::brakes_anew(const Servo& servo, double off) noexcept {
-  return twinbus::is_soft(servo.kp, *servo.of) || std::abs(off) > kFarSetPoint;
+// A brake may have begun sooner or later than it was taken to, from another speed.  The torque of its servo tells where its
+// set-point is; one that is not where it was thought to be is where the joint is.
+void ServoPredictor::see_held(Servo& s, double q, double v, double tau) noexcept {
+  const double kp = std::max(s.kp, s.hold_kp), kd = std::max(s.kd, s.hold_kd);
+  if (!(kp > 0.0) || (s.effort > 0.0 && std::abs(tau) > kNearLimit * s.effort)) return;
+  const double pulls = tau - s.held_tau;
+  if (std::abs(s.q - q - (pulls - kd * (s.held_v - v)) / kp) < kFollowed) return;
+  s.q = std::clamp(q + pulls / kp, s.lower, s.upper);
+  s.held_v = std::clamp(v, -s.most_speed, s.most_speed);
 }
 
-// A mask begins or ends, as in the gate (bridge/gate/masked_brake.h).
+// A mask begins or ends, as in the gate (bridge/gate/masked_brake.h).  What is held may be let go at any time, and goes on from
+// where it is then.
 void ServoPredictor::hold(const RobotState& state, const JointCommand& command) noexcept {
   const std::int64_t in_force = delay_ticks_ > 0 ? masks_[at(delay_ticks_ - 1)] : masks_[0];
-  const std::int64_t begin = in_force & ~held_now_, end = held_now_ & ~in_force;
+  const std::int64_t begin = in_force & ~held_now_, bound = in_force | held_now_;
   held_now_ = in_force;
-  for (int k = 0; k < count_ && (begin | end) != 0; ++k) {
+  for (int k = 0; k < count_ && bound != 0; ++k) {
+    if ((bound & bit(k)) == 0) continue;
     const auto i = at(k);
     Servo& s = servos_[i];
     if ((begin & bit(k)) != 0) {
-      if (brakes_anew(s, s.q - state.q[i])) {
-        s.q = state.q[i];
-        s.held_v = static_cast<double>(state.qd[i]);
-      } else {
-        s.held_v = s.qd;
-      }
-      s.held_v = std::clamp(s.held_v, -s.most_speed, s.most_speed);
-    } else if ((end & bit(k)) != 0 && twinbus::is_soft(static_cast<double>(command.kp[i]), *s.of)) {
-      s.faded = fade_s_;
-    } else if ((end & bit(k)) != 0) {
-      s.from_q = s.q - command.q[i];
-      s.from_v = s.held_v - static_cast<double>(command.qd[i]);
-      s.from_kp = std::max(s.kp, s.hold_kp) - static_cast<double>(command.kp[i]);
-      s.from_kd = std::max(s.kd, s.hold_kd) - static_cast<double>(command.kd[i]);
-      s.faded = 0.0;
+      const BrakeStart start = brake_start(s.q, s.qd, state.q[i], static_cast<double>(state.qd[i]), s.most_speed,
+                                           twinbus::is_soft(s.kp, *s.of));
+      s.q = start.q;
+      s.held_v = start.v;
+      s.held_tau = start.share * s.tau;
+    } else if ((in_force & bit(k)) != 0) {
+      see_held(s, state.q[i], static_cast<double>(state.qd[i]), static_cast<double>(state.tau[i]));
     }
+    if (twinbus::is_soft(static_cast<double>(command.kp[i]), *s.of)) {
+      s.faded = fade_s_;
+      continue;
+    }
+    s.from_q = s.q - command.q[i];
+    s.from_v = s.held_v - static_cast<double>(command.qd[i]);
+    s.from_kp = std::max(s.kp, s.hold_kp) - static_cast<double>(command.kp[i]);
+    s.from_kd = std::max(s.kd, s.hold_kd) - static_cast<double>(command.kd[i]);
+    s.faded = 0.0;
   }
 }
 
@@ -149,6 +163,8 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     return static_cast<double>(std::clamp<std::int64_t>(tick - since, least, kMostLeftOut));
   };
   const double looks = passed(looked_tick_, state.tick, 1), commands = passed(heard_tick_, command.tick, 0);
+  // Of a stream that comes later here than to the gate, the last command is taken to go on.
+  const double late = commands > 0.0 ? passed(command.tick, state.tick, 0) * period_ : 0.0;
   looked_tick_ = state.tick;
   heard_tick_ = command.tick;
   for (int k = 0; k < count_; ++k) {
@@ -158,22 +174,30 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     const QuinticFade fade = s.faded < fade_s_ ? quintic_fade(s.faded / fade_s_) : QuinticFade{};
     const double asked = std::clamp(command.q[i] + fade.h0 * s.from_q + fade.h1 * fade_s_ * s.from_v, s.lower, s.upper);
     if (commands > 0.0) {
-      const double moved = (asked - s.asked) / (commands * period_);
-      s.speed = agreed(moved, s.step);  // a step of a policy is none
+      const double moved = (command.q[i] - s.client_q) / (commands * period_);
+      s.client_speed = agreed(moved, s.step);  // a step of a policy is none
       s.step = moved;
+      s.client_q = command.q[i];
     }
+    const double fading = s.from_q * fade.h0_rate / fade_s_ + s.from_v * fade.h1_rate;
     s.asked = asked;
-    s.qd = static_cast<double>(command.qd[i]) + s.from_q * fade.h0_rate / fade_s_ + s.from_v * fade.h1_rate;
+    s.speed = s.client_speed + fading;
+    s.qd = static_cast<double>(command.qd[i]) + fading;
     s.qd = std::clamp(s.qd, -s.most_speed, s.most_speed);
     s.tau = std::clamp(static_cast<double>(command.tau[i]), -s.effort, s.effort);
     s.kp = std::clamp(static_cast<double>(command.kp[i]) + fade.h0 * s.from_kp, 0.0, most_kp(*s.of));
     s.kd = std::clamp(static_cast<double>(command.kd[i]) + fade.h0 * s.from_kd, 0.0, most_kd(*s.of));
+    const double before = s.q;
     if ((held_now_ & bit_of(i)) != 0) {
       brake_step(s.brake, looks * period_, s.q, s.held_v);
-      s.q = std::clamp(s.q, s.lower, s.upper);
+      s.heard_q = s.q = std::clamp(s.q, s.lower, s.upper);
+      s.goes_on = asked;
     } else {
-      s.q = std::clamp(asked, s.q - s.rate * looks * period_, s.q + s.rate * looks * period_);
+      s.heard_q = std::clamp(asked, s.heard_q - s.rate * looks * period_, s.heard_q + s.rate * looks * period_);
+      s.goes_on = std::clamp(asked + s.speed * late, s.lower, s.upper);
+      s.q = std::clamp(s.goes_on, s.heard_q - s.rate * late, s.heard_q + s.rate * late);
     }
+    s.moved = std::clamp((s.q - before) / looks, -s.rate * period_, s.rate * period_);
   }
 }
 
@@ -207,15 +231,15 @@ void ServoPredictor::gather(const RobotState& state, const JointCommand& command
   }
 }
 
-// One implicit step: the torque of the end of the step, or the limit where that of its beginning is beyond it.  With what is
-// added to the diagonal, A, the change of speed dv follows from (H + A) dv = h (tau - bias) - A v.
+// One implicit step: the torque of the end of the step, or its limit where that is beyond it.  With what is added to the
+// diagonal, A, the change of speed dv follows from (H + A) dv = h (tau - bias) - A v.  Which torques are at their limits is
+// found by Newton's method: a limit that is taken by the beginning of a step alone throws a light joint to and fro.  So is what
+// runs into a stop, which throws what hangs on it.
 TWINBUS_AVX2_CLONES
 void ServoPredictor::step(double h) noexcept {
-  bool same = has_factor_;
   for (int n = 0; n < moving_; ++n) {
-    const auto i = at(n);
-    const Servo& s = servos_[at(of_bus_[i])];
-    Motion& m = motion_[i];
+    const Servo& s = servos_[at(of_bus_[at(n)])];
+    Motion& m = motion_[at(n)];
     const Lanes zero{};
     const Lanes fast = m.set_v < 0.0 ? -m.set_v : m.set_v, left = fast - s.brake * h, slowed = left > 0.0 ? left : zero;
     const Lanes slower = m.set_v < 0.0 ? -slowed : slowed;
@@ -224,31 +248,55 @@ void ServoPredictor::step(double h) noexcept {
     m.asked = m.braked ? m.asked : on;
     m.set_v = m.braked ? slower : m.set_v;
     m.set = clamped(m.set, lanes(m.lower), lanes(m.upper));
-    const Lanes qd = m.braked ? m.set_v : lanes(s.qd);
-    const Lanes asked = m.kp * (m.set - m.q) + m.kd * qd + m.tau;
-    const Lanes now = asked - (h * m.kp + m.kd) * m.v, most = lanes(s.effort > 0.0 ? s.effort : 1e300);
-    const Flags limited = (now > most) | (now < -most);
-    const Lanes added = h * s.damping + (limited ? zero : h * m.kd + h * h * m.kp);
-    same = same && !any(added != added_[i].x);
-    added_[i].x = added;
-    change_[i].x = h * ((limited ? (now < 0.0 ? -most : most) : asked) - bias_[i]) - added * m.v;
+    m.torque = m.kp * (m.set - m.q) + m.kd * (m.braked ? m.set_v : lanes(s.qd)) + m.tau;
   }
-  if (!same) inertia_.factor(&added_[0].x, &factor_[0].x);
-  has_factor_ = true;
-  inertia_.solve(&factor_[0].x, &change_[0].x);
+  bool settled = false;
+  for (int pass = 0; pass < kLimitPasses && !settled; ++pass) {
+    bool same = has_factor_;
+    for (int n = 0; n < moving_; ++n) {
+      const auto i = at(n);
+      const Servo& s = servos_[at(of_bus_[i])];
+      const Motion& m = motion_[i];
+      const Lanes stop = m.stopped != 0.0 ? lanes(kStop) : Lanes{};
+      const Lanes added = h * s.damping + stop + (m.limited != 0.0 ? Lanes{} : h * m.kd + h * h * m.kp);
+      same = same && !any(added != added_[i].x);
+      added_[i].x = added;
+      change_[i].x = h * ((m.limited != 0.0 ? m.limited * s.effort : m.torque) - bias_[i]) - added * m.v +
+                     stop * ((m.stopped > 0.0 ? lanes(m.upper) : lanes(m.lower)) - m.q) / h;
+    }
+    if (!same) inertia_.factor(&added_[0].x, &factor_[0].x);
+    has_factor_ = true;
+    inertia_.solve(&factor_[0].x, &change_[0].x);
+    settled = true;
+    for (int n = 0; n < moving_; ++n) {
+      const Servo& s = servos_[at(of_bus_[at(n)])];
+      Motion& m = motion_[at(n)];
+      const Lanes v = m.v + change_[at(n)].x, q = m.q + h * v;
+      // At a stop already: it holds what would go on, and lets go what turns back.
+      const Lanes end = m.stopped > 0.0 ? lanes(m.upper) : lanes(m.lower);
+      const Lanes on = q > m.upper ? lanes(1.0) : q < m.lower ? lanes(-1.0) : Lanes{};
+      const Lanes stopped = m.stopped != 0.0 ? (m.stopped * (end - q) > 0.0 ? Lanes{} : m.stopped) : on;
+      settled = settled && !any(stopped != m.stopped);
+      m.stopped = stopped;
+      if (!(s.effort > 0.0)) continue;
+      const Lanes then = m.torque - (h * m.kp + m.kd) * v;
+      const Lanes limited = then > s.effort ? lanes(1.0) : then < -s.effort ? lanes(-1.0) : Lanes{};
+      settled = settled && !any(limited != m.limited);
+      m.limited = limited;
+    }
+  }
   for (int n = 0; n < moving_; ++n) {
     Motion& m = motion_[at(n)];
-    const Lanes v = m.v + change_[at(n)].x, q = m.q + h * v;
-    m.q = clamped(q, lanes(m.lower), lanes(m.upper));
-    m.v = m.q == q ? v : Lanes{};  // at a stop
+    m.v += change_[at(n)].x;
+    m.v = m.stopped != 0.0 ? Lanes{} : m.v;
+    m.q = clamped(m.q + h * m.v, lanes(m.lower), lanes(m.upper));
+    m.q = m.stopped != 0.0 ? (m.stopped > 0.0 ? lanes(m.upper) : lanes(m.lower)) : m.q;
   }
 }
 
 void ServoPredictor::set_gains(Motion& m, const Servo& s) noexcept {
-  const Flags hold = m.braked & m.anew;
-  m.kp = hold ? lanes(std::max(s.kp, s.hold_kp)) : lanes(s.kp);
-  m.kd = hold ? lanes(std::max(s.kd, s.hold_kd)) : lanes(s.kd);
-  m.tau = hold ? Lanes{} : lanes(s.tau);
+  m.kp = m.braked ? lanes(std::max(s.kp, s.hold_kp)) : lanes(s.kp);
+  m.kd = m.braked ? lanes(std::max(s.kd, s.hold_kd)) : lanes(s.kd);
 }
 
 void ServoPredictor::brake_those(const Masks& masks) noexcept {
@@ -257,18 +305,20 @@ void ServoPredictor::brake_those(const Masks& masks) noexcept {
     const int k = of_bus_[at(n)];
     const Servo& s = servos_[at(k)];
     Motion& m = motion_[at(n)];
+    const bool soft = twinbus::is_soft(s.kp, *s.of);
     for (int lane = 0; lane < kLanes; ++lane) {
       if ((masks[at(lane)] & bit(k)) == 0 || m.braked[lane] != 0) continue;
       m.braked[lane] = -1;
-      const bool anew = brakes_anew(s, m.set[lane] - m.q[lane]);
-      m.anew[lane] = anew ? -1 : 0;
-      if (anew) m.set[lane] = m.q[lane];
-      m.set_v[lane] = std::clamp(anew ? m.v[lane] : s.qd, -s.most_speed, s.most_speed);
+      const BrakeStart start = brake_start(m.set[lane], s.qd, m.q[lane], m.v[lane], s.most_speed, soft);
+      m.set[lane] = start.q + 0.5 * start.v * period_;
+      m.set_v[lane] = start.v;
+      m.tau[lane] = start.share * s.tau;
     }
     set_gains(m, s);
   }
 }
 
+// What is written for a tick stands still in it.  Its mean is kept: set-points move on evenly, half a tick sooner.
 // A mask a lane, to courses_ from `first` on: what is held of these stays so, of others the brake comes a tick sooner.
 TWINBUS_AVX2_CLONES
 void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
@@ -278,14 +328,20 @@ void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
     Motion& m = motion_[at(n)];
     m = {};
     m.v = lanes(v_[k]);
-    m.set = lanes(s.q - q_[k]);
-    m.asked = lanes(s.asked - q_[k]);
+    m.set = lanes(s.q - 0.5 * s.moved - q_[k]);
+    m.asked = lanes(s.goes_on - q_[k]);
     m.lower = std::min(s.lower - q_[k], 0.0);
     m.upper = std::max(s.upper - q_[k], 0.0);
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if ((masks[at(lane)] & held_now_ & bit_of(k)) == 0) continue;
-      m.braked[lane] = m.anew[lane] = -1;
+    m.tau = lanes(s.tau);
+    const double far = 0.5 * s.rate * period_;  // what is let go now moves at once
+    for (int lane = 0; lane < kLanes && (held_now_ & bit_of(k)) != 0; ++lane) {
+      if ((masks[at(lane)] & bit_of(k)) == 0) {
+        m.set[lane] = std::clamp(m.asked[lane], s.q - q_[k] - far, s.q - q_[k] + far);
+        continue;
+      }
+      m.braked[lane] = -1;
       m.set_v[lane] = s.held_v;
+      m.tau[lane] = s.held_tau;
     }
     set_gains(m, s);
   }

@@ -60,9 +60,12 @@ class ServoPredictor {
     bool leg = false;
     const Joint* of = nullptr;
     // as commanded
-    double q = 0.0, held_v = 0.0;                    // as the gate has it, and its speed while it is held
+    double q = 0.0, held_v = 0.0, held_tau = 0.0;    // as the gate has it, and its speed and torque while it is held
     double kp = 0.0, kd = 0.0, qd = 0.0, tau = 0.0;  // as the gate lets them through
-    double asked = 0.0, speed = 0.0, step = 0.0;     // what it is asked to be, how that moves, and moved last
+    double asked = 0.0, speed = 0.0;                 // what it is asked to be, and how that moves
+    double client_q = 0.0, client_speed = 0.0, step = 0.0;  // the same of the client alone, and how it moved last
+    double heard_q = 0.0, goes_on = 0.0;             // q when that was heard; asked, once commands up to now are
+    double moved = 0.0;                              // q, in the last tick
     // A fade's, minus the client's, and since when [s].
     double from_q = 0.0, from_v = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
     double strays = 0.0;  // its set-point was far away, and counts so for as long [s]
@@ -76,9 +79,12 @@ class ServoPredictor {
   };
   using Masks = std::array<std::int64_t, kLanes>;
   struct Motion {  // of a joint, from where it is measured
-    Flags braked{}, anew{};  // anew: the brake begins where the joint is, not at its set-point
+    Flags braked{};
     Lanes q{}, v{}, set{}, set_v{}, asked{};
     Lanes kp{}, kd{}, tau{};             // as they are while it obeys, or is held
+    Lanes torque{};                      // of a step, for a joint that stands still [N m or N]
+    Lanes limited{};                     // the torque is at its limit: 1 or -1
+    Lanes stopped{};                     // the joint ran into its stop in this step: 1 or -1
     double lower = 0.0, upper = 0.0;     // stops
     Lanes first{}, speed{};              // when the brake has come
     Lanes least{}, most{};               // since then
@@ -91,7 +97,7 @@ class ServoPredictor {
   TWINBUS_INLINE static bool any(const Flags& flags) noexcept { return (flags[0] | flags[1] | flags[2] | flags[3]) != 0; }
   void hear(const RobotState& state, const JointCommand& command) noexcept;
   void hold(const RobotState& state, const JointCommand& command) noexcept;
-  static bool brakes_anew(const Servo& servo, double off) noexcept;
+  static void see_held(Servo& servo, double q, double v, double tau) noexcept;
   void move_set_points(const RobotState& state, const JointCommand& command) noexcept;
   void gather(const RobotState& state, const JointCommand& command) noexcept;
   void look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration, std::int64_t kept,

@@ -96,7 +96,13 @@ Course SetPointTrack::run_after(std::size_t k, double way) const noexcept {
 }
 
 // What was held and is no more begins to fade back to its command; what has faded is free.
-void SetPointTrack::hold(std::int64_t joints) noexcept {
+void SetPointTrack::hold(const RobotState& state, std::int64_t joints) noexcept {
+  for (std::size_t k = 0; k < count_ && (joints & ~held_now_) != 0; ++k) {
+    if ((joints & ~held_now_ & bit(static_cast<int>(k))) == 0) continue;
+    const BrakeStart start = brake_start(q_[k], v_[k], state.q[k], static_cast<double>(state.qd[k]), limit_[k], false);
+    q_[k] = start.q;
+    v_[k] = start.v;
+  }
   const std::int64_t released = fade_s_ > 0.0 ? held_now_ & ~joints : 0;
   fading_ = (fading_ | released) & ~joints;
   held_now_ = joints;
@@ -220,7 +226,7 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
   const std::int64_t looks = std::clamp<std::int64_t>(state.tick - looked_tick_, 1, kMostLeftOut);
   looked_tick_ = state.tick;
   move_free(state, static_cast<double>(looks) * period_);
-  hold(in_force & (bit(static_cast<int>(count_)) - 1));
+  hold(state, in_force & (bit(static_cast<int>(count_)) - 1));
   const std::int64_t bound = held_now_ | fading_;
   for (std::size_t k = 0; k < count_; ++k) {
     if ((bound & bit(static_cast<int>(k))) != 0) {

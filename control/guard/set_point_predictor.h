@@ -84,7 +84,7 @@ class SetPointTrack {
   void start(const RobotState& state, const JointCommand& command) noexcept;
   void hear(const JointCommand& command, double since) noexcept;
   void move_free(const RobotState& state, double since) noexcept;
-  void hold(std::int64_t joints) noexcept;
+  void hold(const RobotState& state, std::int64_t joints) noexcept;
   void move_bound(std::size_t k, double measured) noexcept;
   void look(std::size_t k, double measured) noexcept;
   void go_together(const RobotState& state) noexcept;

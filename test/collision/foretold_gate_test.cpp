@@ -25,9 +25,9 @@ class ForetoldGate : public testing::Test {
   ForetoldGate() : model_(load_robot("hrp1s")), limits_(model_), home_(named_posture(model_, "half_sitting")) {}
 
   // The largest difference of a set-point [rad].  way: of the arm from where it began, at a time; held: whether the guard
-  // wants it held then.
+  // wants it held then; late: the guard hears a command this many ticks after the gate.
   double apart(double seconds, const std::function<double(double)>& way, const std::function<bool(double)>& held,
-               std::int16_t flags) {
+               std::int16_t flags, std::size_t late = 0) {
     ServoPredictor predictor(model_, kDelay, 0.005);
     CommandGate gate(limits_, false, 1);
     Kinematics kinematics(model_);
@@ -57,6 +57,7 @@ class ForetoldGate : public testing::Test {
     }
     EXPECT_NE(arm, 0);
     std::vector<std::int64_t> looks(kDelay, 0);  // on their way, the newest first
+    std::vector<JointCommand> said;
     double most = 0.0;
     const auto ticks = static_cast<std::int64_t>(seconds / model_.period());
     for (std::int64_t tick = 1; tick <= ticks; ++tick) {
@@ -69,7 +70,8 @@ class ForetoldGate : public testing::Test {
         now.q[model_.bus_joints[k]] = state.q[k];
       }
       kinematics.update(now);
-      predictor.follow(state, command, looks.front(), kinematics, now);
+      said.push_back(command);
+      predictor.follow(state, said[said.size() - 1 - std::min(late, said.size() - 1)], looks.front(), kinematics, now);
       GuardReport report;
       report.guard_id = report.run_id = 1;
       report.tick = tick;
@@ -100,6 +102,10 @@ double swing(double t) { return 0.25 * (1.0 - std::cos(2.0 * t)); }  // at most 
 
 TEST_F(ForetoldGate, AClientThatMovesIsFadedIn) {
   EXPECT_LT(apart(1.0, [](double t) { return 0.2 + swing(t); }, [](double) { return false; }, 0), 1e-3);
+}
+
+TEST_F(ForetoldGate, ACommandThatTheGuardHearsLaterIsTakenToGoOn) {
+  EXPECT_LT(apart(1.0, swing, [](double) { return false; }, kCommandNoFade, 1), 1e-4);
 }
 
 TEST_F(ForetoldGate, AJointThatIsHeldIsBraked) {

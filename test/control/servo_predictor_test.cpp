@@ -242,6 +242,65 @@ TEST(ServoPredictor, AHeldJointRestsSoonerAndStaysSoftWhileItIsHeld) {
   EXPECT_TRUE(f.servos.is_soft(elbow));
 }
 
+// The shoulder stops at once; the forearm goes on.
+TEST(ServoPredictor, WhatRunsIntoItsStopThrowsWhatHangsOnIt) {
+  const auto elbow_moves = [](double from_stop) {
+    Fixture f;
+    const std::size_t shoulder = bus("LARM_SHOULDER_P"), elbow = bus("LARM_ELBOW");
+    for (const std::size_t k : {shoulder, elbow}) f.soften(k, 5.0F, 0.5F);
+    f.state.q[shoulder] = f.joint(shoulder).lower + from_stop;
+    f.state.qd[shoulder] = -8.0F;
+    for (const std::size_t k : {shoulder, elbow}) f.command.q[k] = f.state.q[k];
+    f.look();
+    return f.servos.if_obeyed(elbow).first;
+  };
+  EXPECT_LT(std::abs(elbow_moves(0.5)), 0.01);
+  EXPECT_GT(std::abs(elbow_moves(0.01)), 0.03);
+}
+
+// Braked from all speeds with torques at their limits, no joint is thrown to and fro by the steps of the look.
+TEST(ServoPredictor, TorquesAtTheirLimitsComeToRest) {
+  for (int turn = 0; turn < 40; ++turn) {
+    Fixture f;
+    for (std::size_t k = 0; k < f.count(); ++k) {
+      if (!(f.joint(k).name.substr(0, 4) == "LARM")) continue;
+      f.soften(k, 30.0F, 2.0F);
+      f.state.qd[k] = static_cast<float>(f.joint(k).velocity * std::sin(0.7 * turn + 1.3 * static_cast<double>(k)));
+    }
+    f.look();
+    for (const char* waist : {"WAIST_P", "WAIST_R", "CHEST"})
+      EXPECT_LT(std::abs(f.servos.if_held(bus(waist)).rest()), 0.02) << waist << " " << turn;
+  }
+}
+
+TEST(ServoPredictor, ABrakeBeginsWithoutAJumpBetweenItsSetPointAndTheJoint) {
+  BrakeStart before = brake_start(0.0, 1.0, 0.0, 1.0, 5.0, false);
+  EXPECT_EQ(before.share, 1.0);
+  for (double off = 0.0; off < 0.06; off += 1e-4) {
+    const BrakeStart start = brake_start(off, 1.0 + 10.0 * off, 0.0, 1.0, 5.0, false);
+    EXPECT_LT(std::abs(start.q - before.q), 5e-4);
+    EXPECT_LT(std::abs(start.v - before.v), 5e-3);
+    before = start;
+  }
+  EXPECT_EQ(before.share, 0.0);
+  EXPECT_EQ(before.v, 1.0);
+  EXPECT_EQ(brake_start(0.001, 1.0, 0.0, 1.0, 5.0, true).share, 0.0);  // a soft servo
+}
+
+// A brake of the gate that began a tick sooner, from another speed, is seen by its torque.
+TEST(ServoPredictor, WhereAHeldJointIsHeldIsSeenByItsTorque) {
+  Fixture f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  const std::int64_t mask = std::int64_t{1} << elbow;
+  f.soften(elbow, 60.0F, 1.0F);
+  f.state.qd[elbow] = -2.0F;
+  for (int i = 0; i < 5; ++i) f.look(mask);
+  f.state.qd[elbow] = -4.0F;
+  f.state.tau[elbow] = 0.0F;
+  for (int i = 0; i < 2; ++i) f.look(mask);
+  EXPECT_LT(f.servos.if_held(elbow).rest(), -0.9 * 4.0 * 4.0 / (2.0 * brake_deceleration(f.joint(elbow))));
+}
+
 TEST(ServoPredictor, MasksLookedAtTogetherAreWhatEachIsAlone) {
   Fixture f, alone;
   const std::size_t elbow = bus("LARM_ELBOW"), shoulder = bus("RARM_SHOULDER_P");
