@@ -20,6 +20,7 @@ constexpr std::int64_t kPadFresh = 250 * kMs;
 constexpr std::int64_t kRateWindow = 500 * kMs;
 constexpr std::int64_t kListenFirst = 3;  // STATEs, whether somebody answers them
 constexpr double kRepeat = 0.75;  // of the command timeout, after which a LowCmd goes out again
+constexpr double kLate = 1.5;     // of the command timeout: a loop that missed more than a turn
 constexpr double kTooFast = 1.5;  // of the robot's own rate
 
 std::int64_t ticks_of(double seconds, const Model& model) {
@@ -35,6 +36,7 @@ Face::Face(const Model& model, const FaceOptions& options)
       mode_machine_(options.mode_machine >= 0 ? options.mode_machine : order_.mode_machine),
       every_(ticks_of(std::max(kFramePeriod, 1.0 / options.rate), model)),
       repeat_ticks_(ticks_of(kRepeat * model.command_timeout, model)),
+      late_ticks_(ticks_of(kLate * model.command_timeout, model)),
       silence_ticks_(ticks_of(std::max(options.patience, model.command_timeout), model)) {
   if (!stands_on_points(model)) return;
   const std::optional<PointLegs> legs = point_legs(model, StandingFeet(model));
@@ -217,6 +219,13 @@ void Face::on_frame(std::span<const std::byte> frame, std::uint64_t writer, std:
     notes_.add(FaceNote::kOtherController, 1, now_ns,
                "LowCmd moves nothing: the source obeys another controller (controller_id %lld); end that one, or use a stack client*",
                static_cast<long long>(bound_));
+  }
+  const std::int64_t paused = state_.tick - accepted_tick_;
+  if (phase_ == Phase::kObeying && paused > late_ticks_ && paused <= silence_ticks_) {
+    notes_.add(FaceNote::kPaused, 1, now_ns,
+               "no LowCmd for %.0f ms, the last one went on: a robot that balances may fall or hit itself by that; look for what "
+               "stands the program still (load, a garbage collection)",
+               1e3 * model_.period() * static_cast<double>(paused));
   }
   wish_ = command;
   pending_ = true;

@@ -90,6 +90,7 @@ class Face {
   int mode_machine_;
   std::int64_t every_;          // STATEs per LowState
   std::int64_t repeat_ticks_;   // after which a LowCmd goes out again
+  std::int64_t late_ticks_;     // after which it is told that none came
   std::int64_t silence_ticks_;  // after which it does not
 
   Phase phase_ = Phase::kHolding;

@@ -10,6 +10,7 @@ namespace twinbus {
 enum class FaceNote : std::int8_t {
   kProgramBegins = 0,
   kSilent,
+  kPaused,
   kStopped,
   kSize,
   kCrc,

@@ -333,6 +333,23 @@ TEST(UnitreeFace, ALateCommandIsRepeatedAndSilenceIsToldOnce) {
   EXPECT_EQ(command.q[3], -1.0);
 }
 
+TEST(UnitreeFace, APauseThatTheLastCommandBridgesIsTold) {
+  Bench bench;
+  for (int n = 0; n < 5; ++n) bench.tick();
+  const auto pause = [&bench](int ticks) {
+    bench.write(stand());
+    for (int n = 0; n < ticks; ++n) bench.tick();
+    bench.write(stand());
+    return bench.lines_with("no LowCmd for");
+  };
+  const int timeout = static_cast<int>(bench.model.command_timeout / bench.model.period());
+  EXPECT_EQ(pause(timeout), 0);
+  EXPECT_EQ(pause(2 * timeout), 1);
+  EXPECT_EQ(pause(2 * timeout), 0) << "it goes on";
+  for (int n = 0; n < 200; ++n) bench.tick();
+  EXPECT_EQ(bench.lines_with("the last one went on"), 0) << "silence is another matter";
+}
+
 TEST(UnitreeFace, OfTwoProgramsTheFirstIsObeyedUntilItIsSilent) {
   Bench bench;
   for (int n = 0; n < 5; ++n) bench.tick();
