@@ -119,6 +119,7 @@ def main():
         for seed in SEEDS:
             run(checks, scene, seed)
     run(checks, "walk_turn", 1, robot="hrp2p")
+    run(checks, "walk_pad", 1, robot="biped12")
     robust(checks)
     if harness.FULL:
         jvrc1(checks)
