@@ -18,10 +18,13 @@ constexpr double kFootNoise = 0.08 * 0.08 * 0.02;   // r: 0.08 m/s that changes 
 constexpr double kAccelNoise = kFootNoise / (kPull * kPull);  // q [m^2/s^3]
 constexpr double kUnknownAccel = 9.0 * 0.05;        // q without accelerometer: 3 m/s^2 for 50 ms
 constexpr double kHuber = 2.5;                      // standard deviations
+constexpr double kChange = 0.02;                    // T_c [s]
+constexpr double kRestless = 1.5;                   // c_0 [m/s^2]
 constexpr double kAgrees = 0.1, kMoves = 0.25;      // a foot at rest; one that is not [m/s]
 constexpr double kFirst = 1.0;                      // deviation at the beginning [m/s]
 constexpr double kNewSource = 0.05;                 // of another robot that goes on [m/s]
 constexpr double kGap_s = 0.1;                      // states that are missing for longer: as at the beginning
+constexpr double kFollows = 1.5;                    // periods after the last, a state is not the next one
 constexpr double kInTheAir = 0.1;                   // without a foot for so long the accelerometer is alone [s]
 constexpr double kTilt = 0.01;                      // deviation of roll and pitch [rad]
 constexpr double kYawRate = 1e-6;                   // growth of the variance of the heading [rad^2/s]
@@ -49,6 +52,7 @@ void InertialLegOdometry::reset() noexcept {
   variance_.setConstant(kFirst * kFirst);
   position_variance_.setZero();
   yaw_variance_ = yaw_offset_ = unsupported_ = 0.0;
+  seen_.fill(Seen());
   time_ns_ = 0;
   started_ = resumed_ = imu_valid_ = stood_ = lifted_ = false;
 }
@@ -98,6 +102,7 @@ void InertialLegOdometry::update(const RobotState& state) noexcept {
     const Eigen::Vector3d felt = imu_valid_ ? Eigen::Vector3d(imu_in_base_ * felt_)
                                             : Eigen::Vector3d(kGravity * base_.row(2).transpose());
     feet_.update(state, kinematics_, base_, felt, started_ && !resumed_ ? dt : 1.0);  // the first reading is believed
+    look_at_feet(dt, imu_valid_ && had_imu && started_ && !resumed_ && !other && dt < kFollows * model_->period());
     correct(dt);
     move(started_ && !missing ? dt : 0.0);
   }
@@ -130,26 +135,38 @@ void InertialLegOdometry::predict(bool imu, double dt) noexcept {
   variance_ = variance_.cwiseMin(kFirst * kFirst);
 }
 
-// Each standing foot says how fast the IMU's origin is: it is at rest where the ground presses it.
-void InertialLegOdometry::correct(double dt) noexcept {
-  bool any = false, agreed = false;
-  std::array<Eigen::Vector3d, kMaxFeet> says;
+// What each foot says how fast the IMU's origin is, if it is at rest where the ground presses it, and how that changes.
+// follows: this state is the next one after the last, so that the accelerometer tells what happened between them.
+void InertialLegOdometry::look_at_feet(double dt, bool follows) noexcept {
+  const Eigen::Vector3d felt = base_ * (imu_in_base_ * felt_) - kGravity * Eigen::Vector3d::UnitZ();
+  const double share = dt / (dt + kChange);
   for (int foot = 0; foot < feet_.count(); ++foot) {
+    Seen& seen = seen_[at(foot)];
+    const Eigen::Vector3d before = seen.velocity;
     const Eigen::Vector3d& point = feet_.point(foot);
     const Eigen::Vector3d by_joints = imu_drift_ - kinematics_.point_velocity(feet_.link(foot), point);
-    says[at(foot)] = base_ * (omega_.cross(imu_place_ - point) + by_joints);
-    agreed = agreed || (feet_.stands(foot) && (says[at(foot)] - velocity_).norm() < kAgrees);
+    seen.velocity = base_ * (omega_.cross(imu_place_ - point) + by_joints);
+    const Eigen::Vector3d change = follows ? Eigen::Vector3d((seen.velocity - before) / dt - felt) : Eigen::Vector3d::Zero();
+    seen.rough += share * (change - seen.rough);
+    seen.change += share * (seen.rough - seen.change);
   }
+}
+
+void InertialLegOdometry::correct(double dt) noexcept {
+  bool any = false, agreed = false;
+  for (int foot = 0; foot < feet_.count(); ++foot)
+    agreed = agreed || (feet_.stands(foot) && (seen_[at(foot)].velocity - velocity_).norm() < kAgrees);
   for (int foot = 0; foot < feet_.count(); ++foot) {
     const double sure = feet_.certainty(foot);
     if (!(sure > 0.0)) continue;
     any = any || feet_.stands(foot);
-    const Eigen::Vector3d& seen = says[at(foot)];
+    const Eigen::Vector3d& seen = seen_[at(foot)].velocity;
+    const double restless = 1.0 + seen_[at(foot)].change.squaredNorm() / (kRestless * kRestless);
     // Torques swing a heavy leg too: while another foot agrees with what was known, one that moves is in the air.
     if (agreed && (seen - velocity_).norm() > kMoves) continue;
     for (int axis = 0; axis < 3; ++axis) {
       const double off = seen[axis] - velocity_[axis];
-      double noise = kFootNoise / (sure * dt);
+      double noise = restless * kFootNoise / (sure * dt);
       const double usual = kHuber * kHuber * (variance_[axis] + kFootNoise / 0.02);
       if (off * off > usual) noise *= std::sqrt(off * off / usual);
       const double gain = variance_[axis] / (variance_[axis] + noise);

@@ -4,7 +4,9 @@
 // each standing foot says: its point that the ground presses is at rest.  One Kalman filter per axis of the world,
 //     v' = R f + g,  P' = q;      K = P / (P + r / (w dt)),  v += K (v_foot - v),  P -= K P,
 // with the certainty w of the foot; q and r give T = sqrt(r / q) = 0.1 s on one foot.  A foot that contradicts v counts
-// less (Huber).  As in Bloesch et al., State estimation for legged robots - consistent fusion of leg kinematics and IMU, RSS
+// less (Huber), and so does one that accelerates, whatever v is: it lands, sinks into soft ground and comes up again, or swings,
+//     r (1 + |c|^2 / c_0^2) for r,   c = v_foot' - (R f + g), low-passed twice.
+// As in Bloesch et al., State estimation for legged robots - consistent fusion of leg kinematics and IMU, RSS
 // 2012, without their states for biases and foot places.
 //
 // Roll and pitch are the IMU's.  Heading is the IMU's but for an offset, so that it begins with 0 and goes on across a switch.
@@ -13,6 +15,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <vector>
 
 #include "lcmtypes/msg/messages.h"
@@ -39,7 +42,15 @@ class InertialLegOdometry {
   const StandingFeet& feet() const noexcept { return feet_; }
 
  private:
+  // Of a foot.
+  struct Seen {
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // v_foot, world [m/s]
+    Eigen::Vector3d rough = Eigen::Vector3d::Zero();     // c filtered once [m/s^2]
+    Eigen::Vector3d change = Eigen::Vector3d::Zero();    // c [m/s^2]
+  };
+
   void look(const RobotState& state) noexcept;
+  void look_at_feet(double dt, bool follows) noexcept;
   void predict(bool imu, double dt) noexcept;
   void correct(double dt) noexcept;
   void move(double dt) noexcept;
@@ -50,6 +61,7 @@ class InertialLegOdometry {
   Configuration configuration_;
   Kinematics kinematics_;     // in the axes of the base, its origin at rest
   std::vector<int> joints_;   // before feet and IMU
+  std::array<Seen, kMaxFeet> seen_;
   Estimate estimate_;
 
   Eigen::Matrix3d imu_ = Eigen::Matrix3d::Identity();     // IMU in its own world
