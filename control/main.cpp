@@ -13,6 +13,7 @@
 #include "common/process/options.h"
 #include "control/loop/control_loop.h"
 #include "control/robot_process_main.h"
+#include "lcmtypes/msg/event_code.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/node/missed_ticks.h"
 
@@ -171,7 +172,8 @@ class Controller : RobotProcess {
         send_footsteps();
     }
     journal_.stepped(state_, state_hash_, begin, answer_hash, report_hash);
-    if (const char* sentence = loop_.take_sentence()) tell(sentence);
+    bool of_path = false;
+    if (const char* sentence = loop_.take_sentence(&of_path)) tell(sentence, of_path);
     if (loop_.guard_report().stop_asked && state_.stop_kind == StopKind::kNone) ask_for_a_stop();
   }
 
@@ -208,12 +210,13 @@ class Controller : RobotProcess {
     node_.ask_for_a_stop(StopReason::kGuard);
   }
 
-  void tell(const char* sentence) {
+  void tell(const char* sentence, bool of_path) {
     const std::int64_t now = monotonic_ns();
-    if (sentence == last_sentence_ && now - told_ns_ < kQuietNs) return;
+    // Of each path that is not followed somebody waits to hear it.
+    if (!of_path && sentence == last_sentence_ && now - told_ns_ < kQuietNs) return;
     last_sentence_ = sentence;
     told_ns_ = now;
-    node_.tell(1, sentence, state_.run_id, state_.tick);
+    node_.tell(1, sentence, state_.run_id, state_.tick, of_path ? kArmPathRefused : 0);
   }
 
   void send_heartbeat() {

@@ -112,6 +112,12 @@ bool ArmFollow::finish(Path& path) noexcept {
   return n >= 1;
 }
 
+void ArmFollow::refuse(const ArmPathPiece& piece, const char* why) noexcept {
+  if (spent_.contains(piece.path_id)) return;
+  spent_.spend(piece.path_id);
+  if (piece.pieces > 0) refusal_ = why;
+}
+
 void ArmFollow::cancel() noexcept {
   ending_ = true;
   waiting_ = false;
@@ -174,7 +180,6 @@ void ArmFollow::update(Posture& posture, std::int64_t masked, double dt) noexcep
       clear_for_ = kClearFor;
       blocked_ = segment_ = 0;
       state_ = ArmState::kFollowing;
-      refusal_ = nullptr;
       // What is left between the arm and the first knot fades along the way.
       for (int c = 0; c < active_.joint_count; ++c) {
         const double gap = posture.q(active_.bus_joint[at(c)]) - active_.q[0][at(c)];

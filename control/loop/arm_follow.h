@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "control/joint/posture.h"
@@ -28,8 +29,8 @@ class ArmFollow {
   // A piece that makes no sense (sizes, joints, times, limits) spoils its path, which then never
   // starts.
   void add(const ArmPathPiece& piece) noexcept;
-  // A path that came when none could be followed: it is not followed later either.
-  void refuse(const ArmPathPiece& piece) noexcept { spent_.spend(piece.path_id); }
+  // A path that came when none could be followed, for this reason: it is not followed later either.
+  void refuse(const ArmPathPiece& piece, const char* why) noexcept;
   // Ends on the path, as soon as it can be stopped smoothly.
   void cancel() noexcept;
   // At once: the joints are someone else's from now on.
@@ -46,10 +47,10 @@ class ArmFollow {
   double rate() const noexcept { return rate_; }
   // Puts the joints of the path that is followed where it is at `time`.
   void place(double time, double rate, Posture& posture) const noexcept;
-  // Why the last complete path was not followed, or null.
   // A whole path has come and begins at the next update.
   bool begins() const noexcept { return waiting_ && !following_; }
-  const char* refusal() const noexcept { return refusal_; }
+  // Why a path was not followed, once, or null.
+  const char* take_refusal() noexcept { return std::exchange(refusal_, nullptr); }
 
  private:
   struct Path {

@@ -474,9 +474,9 @@ std::array<double, 2> ControlLoop::foot_forces() const noexcept {
   return impl_->modes.foot_forces();
 }
 
-const char* ControlLoop::take_sentence() noexcept {
+const char* ControlLoop::take_sentence(bool* of_path) noexcept {
   const char* own = std::exchange(impl_->sentence, nullptr);
-  return own != nullptr ? own : impl_->modes.take_sentence();
+  return own != nullptr ? own : impl_->modes.take_sentence(of_path);
 }
 
 std::string ControlLoop::guard_cause() const {

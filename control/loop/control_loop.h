@@ -69,8 +69,8 @@ class ControlLoop {
   // The footsteps to come, for FOOTSTEPS; run_id and time are the caller's.
   void footsteps(ObstaclesPiece& out) const noexcept;
   // What people should be told once (the robot cannot walk, it has fallen, ...), or null;
-  // cleared by the call.  A string that lives for ever.
-  const char* take_sentence() noexcept;
+  // cleared by the call.  A string that lives for ever.  of_path, when given: it says why an arm path is not followed.
+  const char* take_sentence(bool* of_path = nullptr) noexcept;
   // The in-loop guard's report of the last step, when guard_in_loop.
   const GuardReport& guard_report() const noexcept;
   // Why it held joints or asked for a stop last, in words; empty when it never did.  Allocates.

@@ -361,8 +361,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     if (((mask >> k) & 1) != 0) posture_.set(k, now.last->q[at(k)], 0.0);
   }
   arm_.update(posture_, mask, dt);
-  if (arm_.refusal() != nullptr && arm_.refusal() != arm_refusal_) sentence_ = arm_.refusal();
-  arm_refusal_ = arm_.refusal();
+  if (const char* why = arm_.take_refusal()) sentence_ = path_refusal_ = why;
   if (dt > 0.0) play(now, mask, dt);
   if (mode_ == Mode::kIdle) return damp(now.state, set_point);
   if (bracing_) return brace_.update(now.estimator, posture_, dt, set_point);

@@ -87,7 +87,11 @@ class Modes {
   // Whether the set-points may have stepped since the last call.
   bool take_change() noexcept { return std::exchange(changed_, false); }
   // What people should be told once, or null; a string that lives for ever.
-  const char* take_sentence() noexcept { return std::exchange(sentence_, nullptr); }
+  // of_path, when given: it says why an arm path is not followed.
+  const char* take_sentence(bool* of_path = nullptr) noexcept {
+    if (of_path != nullptr) *of_path = sentence_ != nullptr && sentence_ == path_refusal_;
+    return std::exchange(sentence_, nullptr);
+  }
 
   Mode mode() const noexcept { return mode_; }
   const ArmFollow& arm() const noexcept { return arm_; }
@@ -180,7 +184,7 @@ class Modes {
   PerJoint<double> kp_{}, kd_{};   // of joints that nothing else is asked of
   Eigen::VectorXd q_given_, tau_;  // [joint_count]
   const char* sentence_ = nullptr;
-  const char* arm_refusal_ = nullptr;  // as told
+  const char* path_refusal_ = nullptr;  // of a path, last
 };
 
 }  // namespace twinbus

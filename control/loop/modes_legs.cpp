@@ -19,9 +19,13 @@ void Modes::walk_steps(const StepList& list) noexcept {
 }
 
 void Modes::add_path(const ArmPathPiece& piece) noexcept {
-  const bool may_follow = !motion_.active() &&
-      !(held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone);
-  if (!may_follow) return arm_.refuse(piece);
+  const char* why = held_by_gate_ || stopping_ ? "the robot is stopped: clear the stop first; the arm path is not followed"
+                    : bracing_                 ? "the robot falls; the arm path is not followed"
+                    : motion_.active()         ? "the robot plays a motion; the arm path is not followed"
+                    : mode_ == Mode::kIdle || mode_ == Mode::kNone
+                        ? "the joints are let go: ./twinbus mode balance (or hold) first; the arm path is not followed"
+                        : nullptr;
+  if (why != nullptr) return arm_.refuse(piece, why);
   arm_.add(piece);
 }
 

@@ -8,15 +8,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "common/text/printable.h"
 #include "launcher/operate/reach_progress.h"
 #include "launcher/bus/bus_link.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/event_code.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/state_admission.h"
@@ -43,6 +46,7 @@ class Watcher {
     bus_.listen_each<&Watcher::hear_controller>(channel::kControllerStatus, *this);
     bus_.listen_each<&Watcher::hear_source>(channel::kSourceStatus, *this);
     bus_.listen_each<&Watcher::hear_truth>(channel::kTruth, *this);
+    bus_.listen_each<&Watcher::hear_event>(channel::kEvent, *this);
   }
 
   void receive(double seconds) {
@@ -56,6 +60,7 @@ class Watcher {
     first = {};
     have = 0;
     duration = 0.0;
+    path_refusal.clear();
   }
 
   // Position and distance of the hand from where it should be, in the ground frame.
@@ -79,6 +84,7 @@ class Watcher {
   ControllerStatus status;
   std::int64_t statuses = 0;
   bool paused = false;  // the simulated world
+  std::string path_refusal;  // by the controller, of this path or of another one at that time
 
  private:
   void hear_state(const RobotState& state) {
@@ -111,6 +117,11 @@ class Watcher {
 
   void hear_source(const SourceStatus& source) {
     if (source.role == Role::kActive || source.role == Role::kStopped) paused = has_pace(source, Pace::kPaused);
+  }
+
+  void hear_event(const Event& event) {
+    if (event.kind != ProcessKind::kController || event.code != kArmPathRefused || event.run_id != run_id()) return;
+    path_refusal = printable({event.text.data(), strnlen(event.text.data(), event.text.size())});
   }
 
   void hear_truth(const SimTruth& truth) {
@@ -211,7 +222,8 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
   } while (progress.goes_on(seconds_since(begin), watcher.stop_kind(),
                             watcher.statuses > 0 ? &watcher.status : nullptr));
   if (progress.must_cancel()) cancel(watcher, goal);
-  if (!progress.arrived()) return fail(progress.failure());
+  const bool refused = !progress.moving() && !watcher.path_refusal.empty();
+  if (!progress.arrived()) return fail(refused ? watcher.path_refusal.c_str() : progress.failure());
   if (terminal) print_typed(stdout, "\r  arrived after %.1f s      \n", seconds_since(begin));
   return true;
 }

@@ -45,7 +45,7 @@ bool ReachProgress::goes_on(double now, StopKind stop, const ControllerStatus* s
     return ends(
         status == nullptr
             ? "no controller is running"
-            : "the controller does not follow the path: is it in mode balance, hold or pose?");
+            : "the controller does not follow the path, and says no reason (./twinbus status, ./twinbus mode)");
   }
   return true;
 }

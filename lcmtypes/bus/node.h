@@ -64,8 +64,9 @@ class Node {
     event.kind = kind_;
     send(channel::kEvent, event);
   }
-  void tell(int severity, const char* sentence, std::int64_t run_id = 0, std::int64_t tick = 0) noexcept {
+  void tell(int severity, const char* sentence, std::int64_t run_id = 0, std::int64_t tick = 0, std::int16_t code = 0) noexcept {
     Event event;
+    event.code = code;
     event.run_id = run_id;
     event.tick = tick;
     event.severity = static_cast<std::int8_t>(severity);

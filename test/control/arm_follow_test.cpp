@@ -77,7 +77,7 @@ TEST(ArmFollow, FollowsAWholePathToItsEndSmoothly) {
   }
   EXPECT_NEAR(last, begin + 0.4, 1e-9);
   EXPECT_EQ(f.follow.state(), ArmState::kDone);
-  EXPECT_EQ(f.follow.refusal(), nullptr);
+  EXPECT_EQ(f.follow.take_refusal(), nullptr);
 }
 
 TEST(ArmFollow, PiecesMayComeInAnyOrderAndTwice) {
@@ -137,7 +137,7 @@ TEST(ArmFollow, APathThatMakesNoSenseIsRefusedWithAReason) {
     f.hear();
     for (int i = 0; i < 100; ++i) f.tick();
     EXPECT_EQ(f.follow.state(), ArmState::kNone) << how;
-    EXPECT_NE(f.follow.refusal(), nullptr) << how;
+    EXPECT_NE(f.follow.take_refusal(), nullptr) << how;
     // The next good path is followed.
     f.pieces = f.path(2, f.posture.q(f.bus));
     f.hear();
@@ -153,7 +153,16 @@ TEST(ArmFollow, APathThatBeginsElsewhereIsRefused) {
   const double before = f.posture.q(f.bus);
   for (int i = 0; i < 100; ++i) f.tick();
   EXPECT_EQ(f.posture.q(f.bus), before);
-  EXPECT_NE(f.follow.refusal(), nullptr);
+  EXPECT_NE(f.follow.take_refusal(), nullptr);
+  EXPECT_EQ(f.follow.take_refusal(), nullptr) << "said once";
+  // The next one has its own reason, though it is the same; one that was told of is not told of again.
+  f.pieces = f.path(2, f.posture.q(f.bus) + 0.2);
+  f.hear();
+  f.tick();
+  EXPECT_NE(f.follow.take_refusal(), nullptr);
+  f.hear();
+  f.tick();
+  EXPECT_EQ(f.follow.take_refusal(), nullptr);
 }
 
 TEST(ArmFollow, TheGuardStopsTheArmOnItsPathAndLetsItGoOnLater) {
@@ -228,7 +237,7 @@ TEST(ArmFollow, APathIsFollowedOnceThoughItIsHeardAgain) {
   // Nor is one that was refused or cancelled followed later.
   f.follow.drop();
   f.pieces = f.path(3, f.posture.q(f.bus));
-  f.follow.refuse(f.pieces[0]);
+  f.follow.refuse(f.pieces[0], "no");
   f.hear();
   f.tick();
   EXPECT_EQ(f.follow.path_id(), 0);

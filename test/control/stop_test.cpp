@@ -106,10 +106,20 @@ TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
   piece.path_id = 3;
   piece.pieces = piece.joint_count = piece.knot_count = 1;
   piece.joint[0] = static_cast<std::int16_t>(test::hrp1s().hands[0].joints.front());
+  (void)rig.loop().take_sentence();
   rig.loop().on_arm_path(piece);
+  ASSERT_TRUE(rig.tick());
+  bool of_path = false;
+  const char* why = rig.loop().take_sentence(&of_path);
+  ASSERT_NE(why, nullptr);
+  EXPECT_NE(std::string(why).find("clear the stop first"), std::string::npos) << why;
+  EXPECT_TRUE(of_path);
+  rig.loop().on_arm_path(piece);  // heard again
   rig.stopped(StopKind::kNone);
   ASSERT_TRUE(rig.run(0.02));
   EXPECT_EQ(rig.loop().status().arm_path_id, 0);
+  rig.loop().take_sentence(&of_path);
+  EXPECT_FALSE(of_path);
 }
 
 TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {

@@ -1,0 +1,11 @@
+// What an EVENT says, for programs: its `code`, 0 where only people are told.
+
+#pragma once
+
+#include <cstdint>
+
+namespace twinbus {
+
+inline constexpr std::int16_t kArmPathRefused = 1;  // by the controller: an ARM_PATH is not followed, and why
+
+}  // namespace twinbus
