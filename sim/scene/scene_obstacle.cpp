@@ -66,7 +66,7 @@ constexpr double kTouches = 0.001;  // that an arm may begin in the ground [m]
 struct ArmOverGround {
   int link = -1;         // of the arms, that begins lowest
   double low = 1e9;      // its lowest point above the ground [m]
-  double around = 0.0;   // how far what stands on the ground or just above it is from the base's middle [m]
+  Eigen::AlignedBox2d stands;  // around what stands on the ground or just above it; empty where nothing does [m]
 };
 
 ArmOverGround over_ground(const Scene& scene, const Model& model) {
@@ -87,7 +87,7 @@ ArmOverGround over_ground(const Scene& scene, const Model& model) {
       add_points(shape, points);
       for (const Eigen::Vector3d& point : points) {
         const Eigen::Vector3d p = k.link_in_world(link) * point;
-        if (!moves && p.z() < kStands) found.around = std::max(found.around, p.head<2>().norm());
+        if (!moves && p.z() < kStands) found.stands.extend(Eigen::Vector2d(p.head<2>()));
         if (!moves || !(p.z() < found.low)) continue;
         found.low = p.z();
         found.link = link;
@@ -147,24 +147,24 @@ void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles) {
 }
 
 void add_floor(Scene& scene, const Model& model) {
-  constexpr double kGap = 0.03, kThick = 0.1, kWide = 10.0;  // [m]
+  constexpr double kGap = 0.06, kThick = 0.1, kHalf = 5.0;  // [m]; a gap as wide as planners keep of what they take for thicker
   if (!is_arm(model)) return;
   const ArmOverGround arm = over_ground(scene, model);
   if (!(arm.low > 0.0)) return;
-  const double hole = arm.around > 0.0 ? arm.around + kGap : 0.0, side = 0.5 * kWide - hole;
-  const auto add = [&](double x, double y, double lx, double ly) {
+  const auto add = [&](double from_x, double to_x, double from_y, double to_y) {
     Obstacle floor;
     floor.shape = ObstacleShape::kBox;
-    floor.size = {lx, ly, kThick};
-    floor.pose.translation() = Eigen::Vector3d(x, y, -0.5 * kThick);
+    floor.size = {to_x - from_x, to_y - from_y, kThick};
+    floor.pose.translation() = Eigen::Vector3d(0.5 * (from_x + to_x), 0.5 * (from_y + to_y), -0.5 * kThick);
     const auto is_it = [&](const Obstacle& o) { return o.size == floor.size && o.pose.isApprox(floor.pose); };
     if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(), is_it)) scene.obstacles.push_back(floor);
   };
-  if (!(hole > 0.0)) return add(0.0, 0.0, kWide, kWide);
-  for (const double sign : {1.0, -1.0}) {
-    add(sign * (hole + 0.5 * side), 0.0, side, kWide);
-    add(0.0, sign * (hole + 0.5 * side), 2.0 * hole, side);
-  }
+  if (arm.stands.isEmpty()) return add(-kHalf, kHalf, -kHalf, kHalf);
+  const Eigen::Vector2d low = arm.stands.min().array() - kGap, high = arm.stands.max().array() + kGap;
+  add(high.x(), kHalf, -kHalf, kHalf);
+  add(low.x(), high.x(), high.y(), kHalf);
+  add(-kHalf, low.x(), -kHalf, kHalf);
+  add(low.x(), high.x(), -kHalf, low.y());
 }
 
 std::string begins_in_ground(const Scene& scene, const Model& model) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -243,6 +244,22 @@ TEST(Scene, AnArmOnAFixedBaseKnowsTheFloorThatItBeginsAbove) {
     EXPECT_GT(floor.pose.translation().head<2>().cwiseAbs().maxCoeff(), 0.5);
   }
   EXPECT_EQ(begins_in_ground(scene, arm), "");
+  // Of what stands on a long side the floor begins beside it, not where its farthest corner is.
+  arm.links[0].collision[0].size.x() = 1.0;
+  arm.links[0].collision[0].pose.translation().x() = 0.2;
+  Scene narrow;
+  resolve_poses(narrow, arm);
+  const auto on_floor = [&](double x, double y) {
+    return std::any_of(narrow.obstacles.begin(), narrow.obstacles.end(), [&](const Obstacle& floor) {
+      return std::abs(x - floor.pose.translation().x()) < 0.5 * floor.size.x() && std::abs(y - floor.pose.translation().y()) < 0.5 * floor.size.y();
+    });
+  };
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_TRUE(on_floor(0.1, side * 0.12));
+    EXPECT_FALSE(on_floor(0.1, side * 0.10)) << "50 mm from it";
+    EXPECT_TRUE(on_floor(0.2 + side * 0.57, 0.0));
+    EXPECT_FALSE(on_floor(0.2 + side * 0.55, 0.0));
+  }
   Scene below;
   arm.joints[0].placement.translation().z() = -0.2;
   resolve_poses(below, arm);
