@@ -11,6 +11,7 @@
 #include "common/process/priority.h"
 #include "common/process/process.h"
 #include "control/robot_process_main.h"
+#include "lcmtypes/msg/event_code.h"
 #include "lcmtypes/msg/obeyed_once.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
@@ -124,7 +125,8 @@ class PlannerProcess : RobotProcess {
     std::snprintf(sentence, sizeof sentence, "%s: %s (planned in %.0f ms)",
                   answer.goal.kind == ArmGoalKind::kJoints ? "arm joints" : side,
                   describe(answer.plan).c_str(), 1e3 * answer.seconds);
-    tell(sentence, answer.plan.status == ArmPathStatus::kOk ? 0 : 1);
+    const bool found = answer.plan.status == ArmPathStatus::kOk;
+    tell(sentence, found ? 0 : 1, found ? std::int16_t{0} : kArmGoalRefused);
   }
 
   void send_pieces() {
@@ -136,7 +138,9 @@ class PlannerProcess : RobotProcess {
     }
   }
 
-  void tell(const char* sentence, int severity) { node_.tell(severity, sentence, state_.run_id, state_.tick); }
+  void tell(const char* sentence, int severity, std::int16_t code = 0) {
+    node_.tell(severity, sentence, state_.run_id, state_.tick, code);
+  }
 
   Estimator estimator_;
   JointCommand command_;

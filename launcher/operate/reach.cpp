@@ -35,6 +35,7 @@ namespace {
 constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
 constexpr double kAskAgain = 0.2;      // [s]
 constexpr double kPlanTimeout = 15.0;  // [s]
+constexpr double kWords = 0.3;         // [s] until the planner has said why
 
 // What one `reach` hears of the stack.
 class Watcher {
@@ -61,6 +62,7 @@ class Watcher {
     have = 0;
     duration = 0.0;
     path_refusal.clear();
+    goal_refusal.clear();
   }
 
   // Position and distance of the hand from where it should be, in the ground frame.
@@ -84,7 +86,8 @@ class Watcher {
   ControllerStatus status;
   std::int64_t statuses = 0;
   bool paused = false;  // the simulated world
-  std::string path_refusal;  // by the controller, of this path or of another one at that time
+  // By controller and planner, of this path and goal or of others at that time.
+  std::string path_refusal, goal_refusal;
 
  private:
   void hear_state(const RobotState& state) {
@@ -120,8 +123,10 @@ class Watcher {
   }
 
   void hear_event(const Event& event) {
-    if (event.kind != ProcessKind::kController || event.code != kArmPathRefused || event.run_id != run_id()) return;
-    path_refusal = printable({event.text.data(), strnlen(event.text.data(), event.text.size())});
+    const bool of_path = event.kind == ProcessKind::kController && event.code == kArmPathRefused;
+    const bool of_goal = event.kind == ProcessKind::kPlanner && event.code == kArmGoalRefused;
+    if ((!of_path && !of_goal) || event.run_id != run_id()) return;
+    (of_path ? path_refusal : goal_refusal) = printable({event.text.data(), strnlen(event.text.data(), event.text.size())});
   }
 
   void hear_truth(const SimTruth& truth) {
@@ -240,7 +245,12 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
     plan.touching = {thing_name(model, {}, watcher.first.link_a), thing_name(model, {}, watcher.first.link_b)};
     plan.miss = static_cast<double>(watcher.first.miss);
     plan.complaint = "the planner's event says why";
-    print_typed(stderr, "reach: %s\n", describe(plan).c_str());
+    // The message has no words; the event that follows it does.
+    for (const std::int64_t start = monotonic_ns();
+         plan.status == ArmPathStatus::kBadGoal && watcher.goal_refusal.empty() && seconds_since(start) < kWords;)
+      watcher.receive(0.02);
+    const bool told = plan.status == ArmPathStatus::kBadGoal && !watcher.goal_refusal.empty();
+    print_typed(stderr, "reach: %s\n", (told ? watcher.goal_refusal : describe(plan)).c_str());
     return false;
   }
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
