@@ -164,6 +164,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
   if (question.goals.empty()) question.goals = std::move(close_goals);
   if (question.goals.empty() && !reached_any && effort.weak_joint() >= 0) {
     plan.complaint = too_heavy(*model_, effort, "there");
+    plan.heavy = ArmPlan::Heavy::kThere;
     return false;
   }
   if (question.goals.empty()) {

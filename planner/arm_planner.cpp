@@ -30,12 +30,25 @@ constexpr double kUnit = 0.01;         // what the length of a quaternion may be
 constexpr double kWidestCorner = 0.4;  // [rad]
 constexpr int kMostKnots = 360;        // what 60 pieces of an arm path hold
 constexpr int kLongPatience = 5;         // times as many rounds when no way was found
+constexpr std::size_t kMostHeld = 8;     // things of which balls are kept
 
 bool is_arm_joint(const Model& model, int joint) {
   for (const Hand& hand : model.hands) {
     if (std::find(hand.joints.begin(), hand.joints.end(), joint) != hand.joints.end()) return true;
   }
   return false;
+}
+
+bool is_same(const Obstacle& a, const Obstacle& b) {
+  return a.shape == b.shape && a.hand == b.hand && a.size == b.size && a.pose.matrix() == b.pose.matrix();
+}
+
+// None at all, or none along which the joints can hold the arm.
+bool no_way(const ArmPlan& plan) { return plan.status == ArmPathStatus::kTimeLimit || plan.heavy == ArmPlan::Heavy::kOnTheWay; }
+
+void forget_weight(ArmPlan& plan) {
+  plan.complaint.clear();
+  plan.heavy = ArmPlan::Heavy::kNo;
 }
 
 // What is not a shape stays none, and what is held as it is.
@@ -151,13 +164,27 @@ void ArmPlanner::within_efforts(const Configuration& start, ArmPlan& plan) const
   plan.path.clear();
   plan.status = ArmPathStatus::kBadGoal;
   plan.complaint = too_heavy(*model_, effort, "on the way");
+  plan.heavy = ArmPlan::Heavy::kOnTheWay;
 }
 
 void ArmPlanner::set_obstacles(const std::vector<Obstacle>& obstacles) {
   obstacles_ = obstacles;
   balls_.resize(link_balls_);
-  for (BallGroup& held : balls_along_held(*model_, obstacles)) balls_.push_back(std::move(held));
+  for (const Obstacle& obstacle : obstacles) {
+    if (!takes_part(obstacle, *model_)) continue;
+    if (obstacle.hand >= 0) balls_.push_back(balls_of(obstacle));
+    else balls_.emplace_back().held = true;
+  }
   collision_.set_obstacles(obstacles_);
+}
+
+// They take a millisecond to find, and are asked for with each question while a hand holds it.
+const BallGroup& ArmPlanner::balls_of(const Obstacle& held) {
+  const auto known = std::find_if(held_balls_.begin(), held_balls_.end(),
+                                  [&](const auto& one) { return is_same(one.first, held); });
+  if (known != held_balls_.end()) return known->second;
+  if (held_balls_.size() == kMostHeld) held_balls_.erase(held_balls_.begin());
+  return held_balls_.emplace_back(held, balls_along_held(*model_, {held}).front()).second;
 }
 
 ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
@@ -175,12 +202,12 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
     plan.padding = padding;
     plan.checks = checks += plan.checks;
     const bool in_the_way = plan.status == ArmPathStatus::kStartInCollision || plan.status == ArmPathStatus::kGoalInCollision ||
-                            plan.status == ArmPathStatus::kTimeLimit;
+                            no_way(plan);
     if (!in_the_way) break;
   }
   // Then with patience, and as near as a goal may be: first by proofs, which are quick, then by distances, which are exact.
   Effort patient{.clearance = std::min(config_.clearance, config_.least_clearance), .rounds = kLongPatience * config_.rrt_rounds};
-  for (bool again = true; again && plan.status == ArmPathStatus::kTimeLimit; patient.exact = true) {
+  for (bool again = true; again && no_way(plan); patient.exact = true) {
     plan = attempt(goal, start, ground_in_world, seed, patient, keep_on, user);
     plan.checks = checks += plan.checks;
     again = !patient.exact;
@@ -258,7 +285,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
       }
       if (cancelled || !held || unfound) {
         plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
-        plan.complaint.clear();
+        forget_weight(plan);
       }
       return plan;
     }
@@ -296,7 +323,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     }
     plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
     if (!plan.path.empty()) within_efforts(start, plan);
-    if (plan.status != ArmPathStatus::kBadGoal) plan.complaint.clear();  // of another way
+    if (plan.status != ArmPathStatus::kBadGoal) forget_weight(plan);  // of another way
     if (plan.status != ArmPathStatus::kBadGoal || (held && question.goals.size() < 2)) return plan;
     question.goals.erase(question.goals.begin() + static_cast<std::ptrdiff_t>(goal_index));  // the way there is too heavy
     if (!question.goals.empty()) continue;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lcmtypes/msg/guard_defaults.h"
@@ -38,8 +39,10 @@ struct ArmPlannerConfig {
 };
 
 struct ArmPlan {
+  enum class Heavy { kNo, kThere, kOnTheWay };
   ArmPathStatus status = ArmPathStatus::kBadGoal;
   std::string complaint;    // kBadGoal: what is wrong with it
+  Heavy heavy = Heavy::kNo;  // kBadGoal: where joints cannot hold the arm
   CollisionPair pair;       // kStartInCollision, kGoalInCollision
   std::array<ThingName, 2> touching{};  // the same by name
   double miss = 0.0;        // kUnreachable: by how much [m]
@@ -92,6 +95,7 @@ class ArmPlanner {
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
   bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
                   ArmPlan& plan);
+  const BallGroup& balls_of(const Obstacle& held);
   bool too_near(class EdgeCheck& space, const JointPoint& q, CollisionPair& pair);
   TimedPath timed(class EdgeCheck& space, class ArmLines& lines, const JointPath& corners, const TimingLimits& limits,
                   int most_knots) const;
@@ -104,6 +108,7 @@ class ArmPlanner {
   Collision collision_;
   std::vector<BallGroup> balls_;     // of all links, then of what is held
   std::size_t link_balls_;           // of them those of links
+  std::vector<std::pair<Obstacle, BallGroup>> held_balls_;  // of what was held lately
   std::vector<int> looped_;          // joints that closed loops tie, refused
   std::vector<Obstacle> obstacles_;  // as they are
   std::vector<Obstacle> padded_;     // as a plan takes them

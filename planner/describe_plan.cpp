@@ -35,6 +35,7 @@ std::string describe(const ArmPlan& plan) {
     case ArmPathStatus::kBadGoal:
       break;
   }
+  if (plan.heavy != ArmPlan::Heavy::kNo) return plan.complaint + ": try a goal with the arm less stretched, or a pose between";
   return "the goal makes no sense: " + plan.complaint;
 }
 

@@ -175,6 +175,38 @@ TEST(ArmPlanner, TheSameSeedGivesTheSameMotionBitForBit) {
   }
 }
 
+// Each thing has balls of its own, also when another one was held meanwhile.
+TEST(ArmPlanner, WhatIsHeldAgainGivesTheMotionOfAPlannerThatKnewNoOther) {
+  const Configuration start = standing();
+  Obstacle rod;
+  rod.shape = ObstacleShape::kCylinder;
+  rod.pose.translation() = Eigen::Vector3d(0.03, 0.0, -0.12);
+  rod.hand = 0;
+  ArmPlanner planner(hrp1s());
+  int found = 0, other = 0;
+  for (const double y : {0.10, 0.25, 0.40}) {
+    const ArmGoal goal = hand_to(ArmSide::kLeft, 0.33, y, 0.95);
+    std::array<double, 2> before{};
+    for (std::size_t round = 0; round < 4; ++round) {
+      rod.size = Eigen::Vector3d(0.015, round % 2 == 0 ? 0.3 : 0.1, 0.0);
+      const std::vector<Obstacle> things{post(0.36, 0.15), rod};
+      planner.set_obstacles(things);
+      const ArmPlan plan = planner.plan(goal, start, kGround, 9);
+      if (round >= 2) EXPECT_EQ(plan.duration(), before[round - 2]);
+      else before[round] = plan.duration();
+      if (round > 1) continue;
+      const ArmPlan fresh = plan_with(things, goal, start, 9);
+      ASSERT_EQ(plan.status, fresh.status);
+      ASSERT_EQ(plan.path.size(), fresh.path.size());
+      for (std::size_t i = 0; i < plan.path.size(); ++i) ASSERT_EQ(plan.path[i].q, fresh.path[i].q);
+      found += plan.status == ArmPathStatus::kOk ? 1 : 0;
+    }
+    other += before[0] != before[1] ? 1 : 0;
+  }
+  EXPECT_GE(found, 2);
+  EXPECT_GE(other, 1);
+}
+
 TEST(ArmPlanner, EveryRefusalHasItsReason) {
   const Configuration start = standing();
   ArmPlan plan = plan_with({}, hand_to(ArmSide::kLeft, 0.9, 0.26, 0.86), start, 1);
@@ -209,6 +241,8 @@ TEST(ArmPlanner, AGoalWhereTheArmIsTooHeavyIsRefusedWithTheJoint) {
   const ArmPlan plan = ArmPlanner(weak).plan(hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), standing(), kGround, 1);
   EXPECT_EQ(plan.status, ArmPathStatus::kBadGoal);
   EXPECT_EQ(plan.complaint, "there joint " + weak.joints[at(elbow)].name + " would need more than its effort limit to hold the arm");
+  EXPECT_EQ(plan.heavy, ArmPlan::Heavy::kThere);
+  EXPECT_EQ(describe(plan).find(plan.complaint), 0U) << "such a goal makes sense";
 }
 
 // Where the straight way is too heavy in its middle another one is taken.
@@ -242,6 +276,37 @@ TEST(ArmPlanner, AWayThatIsTooHeavyIsGoneAround) {
   }
   EXPECT_FALSE(effort.holds(0.5 * (plan.path.front().q + plan.path.back().q)));
   EXPECT_NEAR(q[0], -2.6, 0.01);
+}
+
+// With no way around it is looked for again, nearer to what stands around, before the joint is named.
+TEST(ArmPlanner, OnlyWaysThatAreTooHeavyAreRefusedWithTheJointAfterAllPatience) {
+  Model weak = hrp1s();
+  const std::vector<int>& arm = weak.hands[0].joints;
+  Configuration there = standing();
+  there.q[arm[3]] = -0.1;
+  there.q[arm[0]] = -1.57;
+  GravityLoad load(weak);
+  weak.joints[at(arm[0])].effort = 0.8 * load.of(there, {arm[0]}).effort;
+  there.q[arm[0]] = 0.0;
+  ArmGoal goal;
+  goal.kind = ArmGoalKind::kJoints;
+  goal.speed = 0.2F;
+  for (const int joint : arm) {
+    const auto k = static_cast<std::size_t>(weak.bus_index[at(joint)]);
+    goal.joint_mask |= std::int64_t{1} << k;
+    goal.q[k] = there.q[joint];
+    if (joint == arm[0]) continue;
+    weak.joints[at(joint)].lower = there.q[joint] - 0.05;
+    weak.joints[at(joint)].upper = there.q[joint] + 0.05;
+  }
+  goal.q[static_cast<std::size_t>(weak.bus_index[at(arm[0])])] = -2.6;
+  ArmPlanner planner(weak);
+  planner.set_obstacles({post(2.0, 0.0)});
+  const ArmPlan plan = planner.plan(goal, there, kGround, 1);
+  EXPECT_EQ(plan.status, ArmPathStatus::kBadGoal) << describe(plan);
+  EXPECT_EQ(plan.heavy, ArmPlan::Heavy::kOnTheWay);
+  EXPECT_NE(plan.complaint.find(weak.joints[at(arm[0])].name), std::string::npos) << plan.complaint;
+  EXPECT_EQ(plan.padding, 0.0);
 }
 
 // A goal may be as near as the guard lets links be that are near by design; of others it is refused.
