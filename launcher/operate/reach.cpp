@@ -9,12 +9,14 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/printable.h"
+#include "launcher/operate/reach_goal.h"
 #include "launcher/operate/reach_progress.h"
 #include "launcher/bus/bus_link.h"
 #include "lcmtypes/bus/bus.h"
@@ -27,6 +29,7 @@
 #include "robot/description/hand_of.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
+#include "robot/hand/tools.h"
 
 namespace twinbus {
 
@@ -36,6 +39,7 @@ constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
 constexpr double kAskAgain = 0.2;      // [s]
 constexpr double kPlanTimeout = 15.0;  // [s]
 constexpr double kWords = 0.3;         // [s] until the planner has said why
+constexpr double kFarthest = 10.0;     // [m]
 
 // What one `reach` hears of the stack.
 class Watcher {
@@ -48,6 +52,7 @@ class Watcher {
     bus_.listen_each<&Watcher::hear_source>(channel::kSourceStatus, *this);
     bus_.listen_each<&Watcher::hear_truth>(channel::kTruth, *this);
     bus_.listen_each<&Watcher::hear_event>(channel::kEvent, *this);
+    bus_.listen_each<&Watcher::hear_estimate>(channel::kEstimate, *this);
   }
 
   void receive(double seconds) {
@@ -72,6 +77,9 @@ class Watcher {
            estimator_.kinematics().link_in_world(hand.link) * hand.frame;
   }
 
+  const Estimator& estimator() const { return estimator_; }
+  // As the source tells; empty before it did.
+  const std::optional<Eigen::Isometry3d>& base_in_world() const { return base_in_world_; }
   std::int64_t run_id() const { return states_ > 0 ? admission_.run_id() : 0; }
   bool other_robot() const { return other_robot_; }
   StopKind stop_kind() const { return stop_kind_; }
@@ -133,17 +141,36 @@ class Watcher {
     if (truth.run_id == run_id()) fell_ = truth.fell;
   }
 
+  void hear_estimate(const Estimate& estimate) {
+    if (estimate.run_id != run_id()) return;
+    const auto& p = estimate.base_position;
+    const auto& a = estimate.base_attitude;
+    Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
+    base.translation() << p[0], p[1], p[2];
+    base.linear() = Eigen::Quaterniond(a[0], a[1], a[2], a[3]).normalized().toRotationMatrix();
+    if (base.matrix().allFinite()) base_in_world_ = base;
+  }
+
   const Model& model_;
   Bus bus_;
   Estimator estimator_;
+  std::optional<Eigen::Isometry3d> base_in_world_;
   StateAdmission admission_;
   bool other_robot_ = false, fell_ = false;
   StopKind stop_kind_ = StopKind::kNone;
   std::int64_t tick_ = 0, states_ = 0;
 };
 
-ArmGoal goal_from(const Arguments& arguments, const Model& model) {
-  ArmGoal goal;
+// What was asked: the place of a tool in a frame.
+struct Wish {
+  ReachFrame frame;
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  // of the tool, in that frame [m]
+  Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();   // in the hand's frame
+  bool oriented = false;
+  std::optional<Eigen::Isometry3d> in_ground;  // of the tool, once the frame was seen; ever anew where it stands still
+};
+
+Wish wish_from(const Arguments& arguments, const Model& model, ArmGoal& goal) {
   const std::string side = arguments.word(0);
   if (side != "left" && side != "right")
     throw UsageError("reach: which hand? say left or right, not " + side);
@@ -152,20 +179,39 @@ ArmGoal goal_from(const Arguments& arguments, const Model& model) {
   goal.side = hand == &model.hands[0] ? ArmSide::kLeft : ArmSide::kRight;
   const std::size_t count = arguments.words().size();
   if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");
+  Wish wish;
+  wish.frame = reach_frame(model, arguments.text("--frame", "ground"));
+  if (arguments.has("--tool")) wish.tool = tool_in_hand(model, *hand, arguments.text("--tool", ""));
   static constexpr std::array<const char*, 3> kAxis{"X", "Y", "Z"};
+  const double far = wish.frame.kind == ReachFrame::Kind::kWorld ? 1000.0 : 5.0;
   for (std::size_t k = 0; k < 3; ++k)
-    goal.position[k] = arguments.word_number(k + 1, kAxis[k], -5.0, 5.0);
-  goal.kind = count == 7 ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
-  if (count == 7) {
-    const Eigen::Quaterniond turn(
-        Eigen::AngleAxisd(arguments.word_number(6, "yaw", -7.0, 7.0), Eigen::Vector3d::UnitZ()) *
-        Eigen::AngleAxisd(arguments.word_number(5, "pitch", -7.0, 7.0), Eigen::Vector3d::UnitY()) *
-        Eigen::AngleAxisd(arguments.word_number(4, "roll", -7.0, 7.0), Eigen::Vector3d::UnitX()));
-    goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+    wish.place.translation()[static_cast<Eigen::Index>(k)] = arguments.word_number(k + 1, kAxis[k], -far, far);
+  wish.oriented = count == 7;
+  if (wish.oriented) {
+    wish.place.linear() =
+        (Eigen::AngleAxisd(arguments.word_number(6, "yaw", -7.0, 7.0), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(arguments.word_number(5, "pitch", -7.0, 7.0), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(arguments.word_number(4, "roll", -7.0, 7.0), Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
   }
   goal.speed = static_cast<float>(arguments.number("--speed", 0.4, 0.01, 1.0));
   goal.sender_id = random_id();
-  return goal;
+  return wish;
+}
+
+// Where the tool is to go, as the robot stands now, into the goal of the hand.
+void aim(const Watcher& watcher, const Model& model, Wish& wish, ArmGoal& goal) {
+  if (!wish.in_ground || stands_still(wish.frame)) {
+    const std::optional<Eigen::Isometry3d> frame =
+        frame_in_ground(wish.frame, model, watcher.estimator(), watcher.base_in_world());
+    if (!frame)
+      throw std::runtime_error("no source tells where the base is in the world (ESTIMATE): reach in the frame base or ground");
+    wish.in_ground = *frame * wish.place;
+  }
+  aim_hand(*wish.in_ground, wish.oriented, wish.tool, watcher.hand_in_ground(goal.side), goal);
+  const Eigen::Vector3d hand(goal.position[0], goal.position[1], goal.position[2]);
+  if (!(hand.norm() <= kFarthest))
+    throw std::runtime_error("the goal is more than 10 m from the robot: which frame is it in? (--frame)");
 }
 
 // Nothing is planned for a robot that cannot move its arm.  A fall comes first: it has stopped the robot as well.
@@ -277,11 +323,16 @@ int reach_command(const std::vector<std::string>& words) {
   const Arguments arguments({"reach", 1, 7, R"(left|right X Y Z [R P Y]
 Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z [m], R P Y [rad] of the hand in the \
 ground frame: midway between the feet, x forward, z up.
+  --frame NAME  of the goal: ground, base (link), world (where the robot first stood, as ESTIMATE tells), or a link of the URDF \
+      as it is when this is asked; default ground
+  --tool T  what is to be there instead of the hand's own frame: X,Y,Z or X,Y,Z,R,P,Y in it, a name under tools: of robot.yaml, \
+      or a link that the hand carries; without R P Y it keeps its turn
   --speed SHARE  of the joints' velocity limits, 0.01 to 1 (0.4)
   --robot --prefix --url --allow)"}, words);
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
-  ArmGoal goal = goal_from(arguments, model);
+  ArmGoal goal;
+  Wish wish = wish_from(arguments, model, goal);
   const BusOptions options = bus_options(arguments);
   Watcher watcher(model, options);
 
@@ -297,21 +348,27 @@ ground frame: midway between the feet, x forward, z up.
   }
 
   refuse_unless_it_stands(watcher);
-  const Eigen::Vector3d target(goal.position[0], goal.position[1], goal.position[2]);
+  if (wish.frame.kind == ReachFrame::Kind::kWorld) {
+    const std::int64_t start = monotonic_ns();
+    while (!watcher.base_in_world() && !quit_requested() && seconds_since(start) < kFirstState) watcher.receive(0.02);
+  }
   double miss = 0.0;
   for (int attempt = 0; attempt <= kReachCorrections; ++attempt) {
+    aim(watcher, model, wish, goal);
     if (!go(watcher, model, goal, attempt == 0)) return 1;
-    miss = (watcher.hand_in_ground(goal.side).translation() - target).norm();
+    aim(watcher, model, wish, goal);
+    miss = ((watcher.hand_in_ground(goal.side) * wish.tool).translation() - wish.in_ground->translation()).norm();
     if (quit_requested() || miss <= kReachNearEnough) break;
   }
-  const Eigen::Isometry3d hand = watcher.hand_in_ground(goal.side);
-  const Eigen::Vector3d at = hand.translation();
-  print_typed(stdout, "%s hand at %.3f %.3f %.3f m, %.1f mm from the goal", arguments.word(0).c_str(),
-              at.x(), at.y(), at.z(), 1e3 * miss);
-  if (goal.kind == ArmGoalKind::kPose) {
-    const auto& o = goal.orientation;
-    const double angle = Eigen::Quaterniond(hand.linear())
-                             .angularDistance(Eigen::Quaterniond(o[0], o[1], o[2], o[3]));
+  const Eigen::Isometry3d tool = watcher.hand_in_ground(goal.side) * wish.tool;
+  // Said in the frame in which it was asked.
+  const Eigen::Isometry3d shown = wish.place * wish.in_ground->inverse() * tool;
+  const Eigen::Vector3d at = shown.translation();
+  print_typed(stdout, "%s hand%s at %.3f %.3f %.3f m%s, %.1f mm from the goal", arguments.word(0).c_str(),
+              arguments.has("--tool") ? "'s tool" : "", at.x(), at.y(), at.z(),
+              arguments.has("--frame") ? (" in " + arguments.text("--frame", "")).c_str() : "", 1e3 * miss);
+  if (wish.oriented) {
+    const double angle = Eigen::Quaterniond(shown.linear()).angularDistance(Eigen::Quaterniond(wish.place.linear()));
     print_typed(stdout, ", turned %.1f degrees from it", angle * 180.0 / M_PI);
   }
   print_typed(stdout, "\n");
