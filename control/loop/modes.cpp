@@ -40,7 +40,6 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
     standing_ = (balance_ = std::make_unique<Balance>(model, gains)).get();
   } else if (why_no_point_feet(model) == nullptr) {
     point_feet_ = std::make_unique<PointFeet>(model);
-    point_feet_->limit(walking_of(model).fastest);
     standing_ = walker_ = point_feet_.get();
   }
   for (int k = 0; standing_ != nullptr && k < model.bus_count(); ++k) {

@@ -20,14 +20,16 @@ constexpr double kTrotLevel = 0.9, kTrotRate = 2.0;  // the second: of the veloc
 constexpr double kFriction = 0.5;     // that feet count on
 constexpr double kMostForce = 1.2;    // of a foot, in weights
 constexpr double kRamp = 0.03;        // of the force of a foot that has come down or is about to leave [s]
+constexpr double kCrawlRamp = 0.5;    // of a crawl, in shifts
 constexpr double kStanceKp = 0.15, kStanceKd = 0.4, kSwingKp = 1.0, kSwingKd = 1.0;  // of the gains of robot.yaml
 constexpr double kOmegaFilter = 0.004, kBaseFilter = 0.03;  // [s]
 constexpr double kFollowStep = 0.2, kFollowStand = 2.0;  // an anchor follows its foot in so long [s]
 constexpr double kFade = 0.03;        // of what a foot is off its set-point as it lands or leaves [s]
 constexpr double kSettle = 0.6;       // from where it is to where it stands [s]
-constexpr double kSpeedUp = 0.12, kBrake = 0.3;  // of g
+constexpr double kSpeedUp = 0.12, kBrake = 0.3, kCrawlSpeedUp = 0.02;  // of g
 constexpr double kLeash = 0.25;       // of the height: so far is the reference of a walk from the robot
 constexpr double kCaught = 0.85;      // of the half length and width: the capture point is beyond, it steps
+constexpr double kTips = 0.15;        // of the half width: so far outside the feet that stand, the capture point of a crawl is lost
 constexpr double kInwards = 0.7;      // of the half width: a foot may come down so far towards the other side
 constexpr double kBelow = 0.02;       // of the height: a foot is sent so far below the ground, to meet it
 constexpr double kNear = 0.12;        // of the height: feet that are so near to their stance may rest
@@ -52,7 +54,8 @@ PointFeet::PointFeet(const Model& model)
     : Behavior(model),
       model_(&model),
       body_(model),
-      gait_(body_),
+      gait_(step_gait_of(model)),
+      crawl_(body_),
       share_(body_.mass * kGravity, 0.5 * (body_.length + body_.width), kFriction),
       dynamics_(model),
       leg_kp_(kp_),
@@ -187,33 +190,65 @@ void PointFeet::measure(const Estimator& estimator, double dt) noexcept {
   }
 }
 
-// Whether it steps.
+FourPoints PointFeet::anchors() const noexcept {
+  FourPoints places;
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = legs_[i].anchor.head<2>();
+  return places;
+}
+
+void PointFeet::begin_gait(bool crawls) noexcept {
+  double yaw = 0.0;
+  height_.aim_from(motion_.position().z(), motion_.velocity().z(), 0.0, body_.height, kSettle);
+  reference_.head<2>() = com_.head<2>();
+  yaw_reference_ = yaw_;
+  if (crawls) {
+    crawl_.start(com_.head<2>(), home(yaw).head<2>());
+    gait_.begin_crawl();
+  } else {
+    gait_.begin();
+  }
+}
+
+// Its feet are near to where they stand best, and it is slow.
+bool PointFeet::may_rest() const noexcept {
+  double far = 0.0;
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
+    const Eigen::Vector2d middle = gait_.crawls() ? crawl_.middle() : Eigen::Vector2d(com_.head<2>());
+    const Eigen::Vector2d from_middle = legs_[i].anchor.head<2>() - middle;
+    far = std::max(far, (Eigen::Rotation2Dd(-yaw_) * from_middle - body_.stance[i]).norm());
+  }
+  return far < kNear * body_.height && velocity_.head<2>().norm() < kSlow * body_.height * gait_.omega() &&
+         velocity_wanted_.norm() < 1e-3;
+}
+
+// Whether it steps, and how.
 void PointFeet::decide(double dt) noexcept {
-  const bool asked = walks_ && !halts_ && (wanted_.head<2>().norm() > 0.0 || wanted_.z() != 0.0);
+  const bool wanted = walks_ && !halts_ && (wanted_.head<2>().norm() > 0.0 || wanted_.z() != 0.0);
+  const bool crawls = gait_.crawls_at(wanted_);
+  const bool asked = wanted && (!gait_.steps() || crawls == gait_.crawls());  // else it stands first
+  stays_ = wanted && !asked;
   quiet_ = asked ? 0.0 : quiet_ + dt;
   if (body_.two()) return begin_steps(dt);
   double yaw = 0.0;
   const Eigen::Vector3d middle = home(yaw);
-  const Eigen::Vector2d capture = (rotation_z(-yaw) * (com_ + velocity_ / gait_.omega() - middle)).head<2>();
-  const bool lost = std::abs(capture.x()) > kCaught * body_.length || std::abs(capture.y()) > kCaught * body_.width;
+  const Eigen::Vector2d ahead = (com_ + velocity_ / gait_.omega()).head<2>();
+  const Eigen::Vector2d capture = Eigen::Rotation2Dd(-yaw) * (ahead - middle.head<2>());
+  bool lost = std::abs(capture.x()) > kCaught * body_.length || std::abs(capture.y()) > kCaught * body_.width;
   if (!gait_.steps()) {
     if (!asked && !lost) return;
-    height_.aim_from(motion_.position().z(), motion_.velocity().z(), 0.0, body_.height, kSettle);
-    reference_.head<2>() = com_.head<2>();
-    yaw_reference_ = yaw_;
-    gait_.begin();
+    begin_gait(crawls && !lost);
     quiet_ = 0.0;
     return;
   }
-  if (asked) return gait_.go_on();
-  double far = 0.0;
-  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
-    const Eigen::Vector2d place = (rotation_z(-yaw_) * (legs_[i].anchor - com_)).head<2>();
-    far = std::max(far, (place - body_.stance[i]).norm());
+  for (int leg = 0; gait_.crawls() && leg < 4; ++leg)
+    lost = lost || (gait_.swings(leg) && inside_others(anchors(), leg, ahead) < -kTips * body_.width);
+  if (gait_.crawls() && lost) {
+    gait_.trot_on();
+    reference_.head<2>() = com_.head<2>();
   }
-  const bool slow = velocity_.head<2>().norm() < kSlow * body_.height * gait_.omega();
-  const bool near = far < kNear * body_.height && slow && velocity_wanted_.norm() < 1e-3;
-  if (quiet_ > gait_.period() && !lost && (near || quiet_ > kLastPeriods * gait_.period())) {
+  if (asked) return gait_.go_on();
+  if (gait_.crawls() && (halts_ || stays_)) return gait_.end();  // it stands wherever its feet are
+  if (quiet_ > gait_.period() && !lost && (may_rest() || quiet_ > kLastPeriods * gait_.period())) {
     gait_.end();
   } else {
     gait_.go_on();
@@ -247,8 +282,9 @@ void PointFeet::begin_steps(double dt) noexcept {
 
 // Where the trunk is to be.
 void PointFeet::move_reference(double dt) noexcept {
-  const double most = dt * kGravity * (halts_ ? kBrake : kSpeedUp);
-  const Eigen::Vector3d off = wanted_ - velocity_wanted_;
+  const bool crawls = gait_.steps() && gait_.crawls();
+  const double most = dt * kGravity * (halts_ ? kBrake : crawls ? kCrawlSpeedUp : kSpeedUp);
+  const Eigen::Vector3d off = (stays_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : wanted_) - velocity_wanted_;
   const double level = off.head<2>().norm(), turn = std::abs(off.z()) * body_.height;
   velocity_wanted_.head<2>() += off.head<2>() * (level > most ? most / level : 1.0);
   velocity_wanted_.z() += off.z() * (turn > most ? most / turn : 1.0);
@@ -265,6 +301,13 @@ void PointFeet::move_reference(double dt) noexcept {
     reference_.z() = ground_ + height_.position();
     reference_velocity_ = velocity + height_.velocity() * Eigen::Vector3d::UnitZ();
     reference_acceleration_ = height_.acceleration() * Eigen::Vector3d::UnitZ();
+    if (crawls) {
+      const Eigen::Vector2d off_com = crawl_.position() - com_.head<2>();
+      if (off_com.norm() > leash) crawl_.move(off_com * (leash / off_com.norm() - 1.0));
+      reference_.head<2>() = crawl_.position();
+      reference_velocity_.head<2>() = crawl_.velocity();
+      reference_acceleration_.head<2>() = crawl_.acceleration();
+    }
   } else {
     if (body_.two()) height_.advance(dt);
     motion_.advance(dt);
@@ -287,11 +330,13 @@ void PointFeet::move_reference(double dt) noexcept {
 
 void PointFeet::place_feet(double dt) noexcept {
   const bool stepped = gait_.steps();
-  gait_.advance(dt);
+  const bool crawls = stepped && gait_.crawls();
+  gait_.advance(dt, !crawls || crawl_.may_lift(gait_, anchors(), com_.head<2>(), (com_ + velocity_ / gait_.omega()).head<2>()));
   if (stepped && !gait_.steps()) stand_still();
   double ground = 0.0, feet = 0.0;
   const Eigen::Matrix3d heading = rotation_z(yaw_);
   const Eigen::Vector3d asked = heading * Eigen::Vector3d(velocity_wanted_.x(), velocity_wanted_.y(), 0.0);
+  if (crawls) crawl_.update(gait_, anchors(), asked.head<2>(), yaw_reference_, velocity_wanted_.z(), dt);
   for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     Leg& leg = legs_[i];
     const bool swings = gait_.swings(static_cast<int>(i));
@@ -304,6 +349,10 @@ void PointFeet::place_feet(double dt) noexcept {
       continue;
     }
     const int number = static_cast<int>(i);
+    if (crawls) {
+      leg.target.head<2>() = crawl_.foothold(number);
+      continue;
+    }
     const double left = body_.two() ? gait_.until_load(number) : (1.0 - gait_.swing_done(number)) * gait_.swing_time();
     const double turn = velocity_wanted_.z() * (left + 0.5 * gait_.stance_time());
     const Eigen::Vector3d hip = heading * rotation_z(turn) * Eigen::Vector3d(body_.stance[i].x(), body_.stance[i].y(), 0.0);
@@ -331,8 +380,9 @@ void PointFeet::push(const Estimator& estimator) noexcept {
   const double w = gait_.omega();
   TrunkWrench wanted;
   const bool steps = gait_.steps();
-  const double level = steps ? kTrotLevel * w : kLevel * w;
-  const double rate = steps ? kTrotRate * w : 2.0 * kLevelDamping * kLevel * w;
+  const bool falls_on = steps && !gait_.crawls();
+  const double level = falls_on ? kTrotLevel * w : kLevel * w;
+  const double rate = falls_on ? kTrotRate * w : 2.0 * kLevelDamping * kLevel * w;
   const Eigen::Vector3d off = reference_ - com_, drift = reference_velocity_ - velocity_;
   wanted.force.head<2>() = body_.mass * (level * level * off + rate * drift + reference_acceleration_).head<2>();
   wanted.force.z() = body_.mass * std::max(0.0, kGravity + kUp * kUp * w * w * off.z() + 2.0 * kUpDamping * kUp * w * drift.z() +
@@ -349,7 +399,8 @@ void PointFeet::push(const Estimator& estimator) noexcept {
     feet[i].arm = legs_[i].point - com_;
     const double done = gait_.stance_done(static_cast<int>(i));
     double share = legs_[i].swings ? 0.0 : 1.0;
-    if (steps) share *= std::clamp(std::min(done, 1.0 - done) * gait_.stance_time() / kRamp, 0.0, 1.0);
+    const double ramp = falls_on ? kRamp : kCrawlRamp * gait_.shift_time();
+    if (steps) share *= std::clamp(std::min(done, 1.0 - done) * gait_.stance_time() / ramp, 0.0, 1.0);
     if (lifts_ >= 0) share = static_cast<int>(i) == lifts_ ? 1.0 : 0.0;
     feet[i].most = share * kMostForce * body_.mass * kGravity;
     pressed_ += share * legs_[i].point.head<2>();

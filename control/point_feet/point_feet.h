@@ -4,8 +4,8 @@
 //     F = m (g + kp (p_ref - p) + kd (v_ref - v)),     M = I (kp e + kd (w_ref - w)),
 // which the feet that stand share (point_force_share); torques are those of recursive Newton-Euler with these forces.  Servos
 // hold standing feet where they stand with a share of their gains, and lead a foot in the air to its foothold (step_gait).
-// All in the estimator's world, z up.  Standing, it sways and squats as others do (com_motion); pushed too hard it steps until
-// it stands again.
+// All in the estimator's world, z up.  Standing, it sways and squats as others do (com_motion); pushed too hard, standing or in a
+// crawl, it trots until it stands again.
 
 #pragma once
 
@@ -14,6 +14,7 @@
 
 #include "control/balance/com_motion.h"
 #include "control/legs/behavior.h"
+#include "control/point_feet/crawl_pattern.h"
 #include "control/point_feet/point_force_share.h"
 #include "control/point_feet/point_feet_body.h"
 #include "control/point_feet/step_gait.h"
@@ -24,7 +25,7 @@ namespace twinbus {
 
 class PointFeet final : public Behavior {
  public:
-  // Throws std::runtime_error with one sentence (why_no_point_feet).
+  // Throws std::runtime_error with one sentence (why_no_point_feet).  The gait is that of robot.yaml.
   explicit PointFeet(const Model& model);
 
   // At least three feet stand, one of two; any foot stands.
@@ -62,7 +63,6 @@ class PointFeet final : public Behavior {
   Eigen::Vector3d most_velocity() const noexcept override { return gait_.most_velocity(); }
   BehaviorReport report(const Estimator& estimator) const noexcept override;
   const PointForces& forces() const noexcept { return forces_; }
-  void limit(double fastest) noexcept { gait_.limit(fastest); }
 
  private:
   struct Leg {
@@ -77,6 +77,9 @@ class PointFeet final : public Behavior {
   void measure(const Estimator& estimator, double dt) noexcept;
   void decide(double dt) noexcept;
   void begin_steps(double dt) noexcept;
+  void begin_gait(bool crawls) noexcept;
+  bool may_rest() const noexcept;
+  FourPoints anchors() const noexcept;
   void move_reference(double dt) noexcept;
   void stand_still() noexcept;
   Eigen::Vector3d home(double& yaw) const noexcept;
@@ -88,6 +91,7 @@ class PointFeet final : public Behavior {
   const Model* model_;
   PointFeetBody body_;
   StepGait gait_;
+  CrawlPattern crawl_;
   PointForceShare share_;
   InverseDynamics dynamics_;
   ComMotion motion_;  // of the centre of mass, from home, heading of the feet
@@ -104,6 +108,7 @@ class PointFeet final : public Behavior {
   int lifts_ = -1;  // of two feet the one that presses before it is lifted first
   Eigen::Vector2d trim_ = Eigen::Vector2d::Zero();  // added to the velocity that footholds of two feet are for, heading [m/s]
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();  // between the feet, by what each may carry
+  bool stays_ = false;  // asked for a velocity of the other gait: this one ends first
   bool walks_ = false, halts_ = false, fresh_ = true, resumes_ = false;
   double quiet_ = 0.0;  // the asked velocity is zero for so long [s]
   Eigen::VectorXd leg_kp_, leg_kd_, stance_, stance_torque_;

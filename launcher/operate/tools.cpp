@@ -75,7 +75,7 @@ constexpr BenchRow kBenches[] = {
     {"control", "ik", "inverse kinematics of arms and legs"},
     {"control", "pushes", "the largest push a standing robot survives, by direction"},
     {"walking", "any_robot", "humanoids never met: proposed, they stand and walk"},
-    {"walking", "quadruped", "robots on four point feet: proposed, they stand, are pushed and trot"},
+    {"walking", "quadruped", "robots on four point feet: proposed, they stand, are pushed, trot and crawl"},
     {"walking", "walk", "stops, pushes, another robot, time of a tick"},
     {"walking", "pad_walk", "a long walk with the pad, page open, beside a build"},
     {"walking", "policy", "policies that others trained: starts, walks, estimate of the base"},

@@ -85,11 +85,8 @@ std::string why_it_ended(BusLink& bus, const ModeRequest& request) {
 }
 
 Eigen::Vector3d possible_of(const Model& model, const Eigen::Vector3d& asked) {
-  const Walking walking = walking_of(model);
-  if (why_no_point_feet(model) != nullptr) return gait_of(model, walking, WalkGains{}.stabilizer.margin).possible(asked);
-  StepGait trot{PointFeetBody(model)};
-  trot.limit(walking.fastest);
-  return trot.possible(asked);
+  if (why_no_point_feet(model) == nullptr) return step_gait_of(model).possible(asked);
+  return gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin).possible(asked);
 }
 
 // All the speeds at their most are more than the legs can do at once.

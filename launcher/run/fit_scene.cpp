@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "common/text/formatted.h"
 #include "control/balance/balance.h"
 #include "control/motion/motion_check.h"
 #include "control/point_feet/point_feet_body.h"
+#include "control/point_feet/step_gait.h"
 #include "control/walk/footsteps.h"
 #include "control/walk/walk_gains.h"
 #include "lcmtypes/msg/labels.h"
@@ -54,25 +56,28 @@ double way_of(const std::vector<TimedPad>& pads, const Eigen::Vector3d& most) {
 // A robot that was proposed is asked for no more than its legs can, which the controller would cut all the same, and sticks, which ask
 // for shares of that, lead it no farther than that.  Said in Scene::scaled.
 void ask_what_it_can(Scene& scene, const Model& model) {
-  if (!(walking_of(model).fastest > 0.0) || Balance::why_not(model) != nullptr || !walks(scene)) return;
+  const bool points = why_no_point_feet(model) == nullptr;
+  if (!(walking_of(model).fastest > 0.0) || !(points || Balance::why_not(model) == nullptr) || !walks(scene)) return;
   const Model own = load_robot(scene.robot);
   if (own.hash == model.hash) return;
-  const Gait gait = gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
+  const Gait gait = points ? Gait{} : gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
+  const std::optional<StepGait> steps = points ? std::optional(step_gait_of(model)) : std::nullopt;
   for (TimedWalk& walk : scene.walks) {
     const Eigen::Vector3d asked = Eigen::Vector3f(walk.command.vx, walk.command.vy, walk.command.wz).cast<double>();
-    const Eigen::Vector3d possible = gait.possible(asked);
+    const Eigen::Vector3d possible = points ? steps->possible(asked) : gait.possible(asked);
     if (!((possible - asked).cwiseAbs().maxCoeff() > kSaid)) continue;
     walk.command.vx = static_cast<float>(possible.x());
     walk.command.vy = static_cast<float>(possible.y());
     walk.command.wz = static_cast<float>(possible.z());
-    scene.scaled += formatted("%sof %.2f %.2f %.2f (m/s, m/s, rad/s) its legs and soles can %.2f %.2f %.2f",
-                              scene.scaled.empty() ? "" : "; ", asked.x(), asked.y(), asked.z(), possible.x(), possible.y(),
-                              possible.z());
+    scene.scaled += formatted("%sof %.2f %.2f %.2f (m/s, m/s, rad/s) its legs%s can %.2f %.2f %.2f",
+                              scene.scaled.empty() ? "" : "; ", asked.x(), asked.y(), asked.z(), points ? "" : " and soles",
+                              possible.x(), possible.y(), possible.z());
     if (asked.x() != 0.0) scene.criteria.travel_min_m *= possible.x() / asked.x();
   }
   if (scene.pads.empty() || std::isnan(scene.criteria.travel_min_m)) return;
   const double way = way_of(scene.pads, fastest_of(own));
-  if (way > 0.0) scene.criteria.travel_min_m *= std::min(1.0, way_of(scene.pads, gait.most_velocity) / way);
+  if (way > 0.0)
+    scene.criteria.travel_min_m *= std::min(1.0, way_of(scene.pads, points ? steps->most_velocity() : gait.most_velocity) / way);
 }
 
 }  // namespace
@@ -135,7 +140,11 @@ void fit_scene(Scene& scene, const Model& model) {
   }
   ask_what_it_can(scene, model);
   const bool margins = !std::isnan(scene.criteria.zmp_margin_min_mm) || !std::isnan(scene.criteria.zmp_margin_p5_mm);
+  const double margin = scene.criteria.zmp_margin_min_mm;
   scene.criteria = for_robot(scene.criteria, model, walks(scene));
+  // Of point feet a scene asks for a margin only where it was written for this robot.
+  if (!std::isnan(margin) && stands_on_points(model) && load_robot(scene.robot).hash == model.hash)
+    scene.criteria.zmp_margin_min_mm = margin;
   if (margins && walks(scene) && leans(model)) {
     scene.scaled += scene.scaled.empty() ? "" : "; ";
     scene.scaled += "soles that no ankle rolls carry at their edges: no ZMP margin is asked";

@@ -291,7 +291,10 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   const bool feet = run.model().soles[0].link >= 0 || run.model().soles[1].link >= 0;
   if (!feet)
     lines = formatted("tilt %.2f degrees, %s\n", kDegrees * f.max_tilt,
-                      why_no_point_feet(run.model()) == nullptr ? "on point feet: nothing is asked of soles" : "no feet");
+                      why_no_point_feet(run.model()) != nullptr ? "no feet"
+                      : std::isnan(asked.zmp_margin_min_mm)
+                          ? "on point feet: nothing is asked of soles"
+                          : formatted("on point feet, ZMP margin %.1f mm", 1e3 * f.zmp_margin_min).c_str());
   else
     lines = formatted("tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole tilt %.2f degrees\n",
                       kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max, 1e3 * f.penetration_max,

@@ -13,6 +13,7 @@ Walking read_walking(const ConfigNode& node) {
   w.zmp_inward = node.number("zmp_inward", -0.2, 0.2, w.zmp_inward);
   w.fastest = node.number("fastest", 0.0, 10.0, w.fastest);
   w.preview = node.choice("pattern", {"closed_form", "preview"}, 0) == 1;
+  w.gait = static_cast<PointGait>(node.choice("gait", {"trot", "crawl", "by_speed"}, 0));
   w.own_attitude = node.choice("attitude", {"imu", "estimated"}, 0) == 1;
   node.finish();
   return w;

@@ -12,6 +12,9 @@
 
 namespace twinbus {
 
+// Of four point feet: diagonal pairs in turn; one foot at a time; that where the speed asked for is within its reach, else a trot.
+enum class PointGait { kTrot, kCrawl, kBySpeed };
+
 struct Walking {
   double single_support = 0.5;  // of a step [s]
   double double_support = 0.1;
@@ -23,6 +26,7 @@ struct Walking {
   double zmp_inward = 0.005;  // and towards the other foot [m]; soles that no ankle rolls carry at their edges, whatever is said
   double fastest = 0.0;       // forward that commands may ask for, 0: as the legs say [m/s]
   bool preview = false;  // reference by preview control, not in closed form: `pattern: preview`
+  PointGait gait = PointGait::kTrot;  // `gait: trot`, `crawl` or `by_speed`
   bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`
 };
 

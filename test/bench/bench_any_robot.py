@@ -86,7 +86,7 @@ class Robot:
         self.name = file.stem
         self.stood = self.walked = 0
         self.speed = self.leg = float("nan")
-        self.refused, self.no_walk, self.causes, self.tilt = "", "", [], 0.0
+        self.refused, self.no_walk, self.causes, self.tilt, self.report = "", "", [], 0.0, {}
 
     def twinbus(self, *words):
         return subprocess.run([self.binary, *map(str, words)], capture_output=True, text=True, env=self.env)
@@ -117,7 +117,8 @@ class Robot:
             done = self.twinbus("run", scene, "--robot", self.folder, "--seed", seed, "--report", file.name, *noise)
             failed = [line[8:] for line in done.stdout.splitlines() if line.startswith("FAILED: ")]
             try:
-                self.tilt = max(self.tilt, json.load(open(file.name))["max_tilt_deg"])
+                self.report = json.load(open(file.name))
+                self.tilt = max(self.tilt, self.report["max_tilt_deg"])
             except (ValueError, KeyError):
                 failed.append((done.stderr.strip().splitlines() or ["no report"])[-1])
         return failed

@@ -1,25 +1,30 @@
 #!/usr/bin/env python3
 """./twinbus bench quadruped [FILE.urdf ...] [--wheel DIR] [--seeds N] [--only WORD] [--keep DIR] [--csv F]: robots on four point feet
-that the stack has never met, proposed by `check --propose` and not edited, stand, are pushed and trot with the guard on.
+that the stack has never met, proposed by `check --propose` and not edited, stand, are pushed, trot and crawl with the guard on.
 
 Without files: the four-legged descriptions in $TWINBUS_DATA/robots (default ../shared/data) and in the wheel example-robot-data,
 unpacked in DIR or else fetched by `pip download` into a temporary folder.  Each stands for 10 s, is pushed by its mass times 0.5 m/s
 in a direction of the seed's while it stands, and trots at 0.5 m/s (or as fast as it can) for 60 s, with noise on every sensor,
 once a seed (default 3).  A trot counts when the robot does not fall, is not stopped, tilts at most 6 degrees and keeps its
-velocity within 10 %.  Exit status 1 if a run fails.
+velocity within 10 %.  Then, with `gait: crawl` written into its robot.yaml, it crawls for 30 s at 0.05 sqrt(g leg): tilt at most
+3 degrees, velocity within 10 %, and at every tick the zero-moment point at least 3 mm inside what the loaded feet span, which takes
+three of them.  Exit status 1 if a run fails.
 """
 
 import json
 import math
 import pathlib
+import shutil
 import sys
 import tempfile
 
 import programs
-from bench_any_robot import Robot, asked, descriptions, proposed, walk_scene, write_rows
+from bench_any_robot import G, Robot, asked, descriptions, proposed, walk_scene, write_rows
 
 QUADRUPEDS = ("go1", "go2", "a1", "b1", "laikago", "anymal_b_simple", "anymal_c_simple", "hyq", "solo")
 SPEED, PUSH = 0.5, 0.5  # [m/s]
+CRAWL, MARGIN = 0.05, 3.0  # of sqrt(g leg); [mm]
+WHAT = ("stand", "push", "trot", "crawl")
 STAND = """duration: 10
 modes:
   - {{at: 0, mode: balance}}
@@ -40,17 +45,37 @@ class Quadruped(Robot):
         file.write_text(f"robot: {self.folder}\n" + text)
         return file
 
+    def crawled(self, text, seed, scratch):
+        """What fails of a crawl."""
+        walks, folder = self.folder, scratch / f"{self.name}_crawls"
+        if not folder.exists():
+            shutil.copytree(walks, folder)
+            said = (folder / "robot.yaml").read_text()
+            (folder / "robot.yaml").write_text(said.replace("walking: {", "walking: {gait: crawl, "))
+        self.folder = folder
+        try:
+            failed = self.run(self.scene("crawl", text, scratch), seed)
+        finally:
+            self.folder = walks
+        self.margin = min(self.margin, self.report.get("zmp_margin_min_mm", 0.0))
+        return failed
+
     def rows(self, seeds, scratch):
         """{what: [passed, worst tilt]}."""
-        found = {}
-        for what in ("stand", "push", "trot"):
+        found, self.margin = {}, math.inf
+        for what in WHAT:
             self.tilt, passed = 0.0, 0
             for seed in range(1, seeds + 1):
                 push = PUSH * self.mass
                 x, y = push * math.cos(2.1 * seed), push * math.sin(2.1 * seed)
                 pushes = f"pushes:\n  - {{at: 2, for: 0.1, link: base, impulse: [{x:.3f}, {y:.3f}, 0]}}\n" if what == "push" else ""
-                text = walk_scene(64, 60, min(SPEED, self.speed), 6, 10) if what == "trot" else STAND.format(pushes)
-                failed = self.run(self.scene(what, text, scratch), seed)
+                text = STAND.format(pushes)
+                if what == "trot":
+                    text = walk_scene(64, 60, min(SPEED, self.speed), 6, 10)
+                elif what == "crawl":
+                    text = walk_scene(36, 30, CRAWL * math.sqrt(G * self.leg), 3, 10)
+                    text = text.replace("criteria: {", f"criteria: {{zmp_margin_min_mm: {MARGIN}, ")
+                failed = self.crawled(text, seed, scratch) if what == "crawl" else self.run(self.scene(what, text, scratch), seed)
                 passed += not failed
                 self.causes += [f"{what}: {cause}" for cause in failed]
             found[what] = [passed, self.tilt]
@@ -72,7 +97,7 @@ def main(words):
             found = robot.rows(seeds, pathlib.Path(scratch))
             print(f"{robot.name:20} {robot.mass:5.1f} kg, legs {robot.leg:.2f} m, check {robot.seconds:.1f} s: "
                   + ", ".join(f"{what} {passed}/{seeds} (tilt {tilt:.2f})" for what, (passed, tilt) in found.items())
-                  + f"; trots up to {robot.speed:.2f} m/s", flush=True)
+                  + f"; trots up to {robot.speed:.2f} m/s, crawls with a ZMP margin of {robot.margin:.1f} mm", flush=True)
             for cause in dict.fromkeys(robot.causes):
                 print(f"{'':28}   {cause}", flush=True)
             for what, (passed, tilt) in found.items():
@@ -83,7 +108,7 @@ def main(words):
     if not looked:
         print("no description with four legs was found")
     else:
-        print(f"{looked} quadrupeds, {bad} of {3 * seeds * looked} runs failed")
+        print(f"{looked} quadrupeds, {bad} of {len(WHAT) * seeds * looked} runs failed")
     return 1 if bad or not looked else 0
 
 

@@ -16,7 +16,7 @@ import harness
 from harness import BIN, Checks, cli
 
 SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
-                       "walk_carry", "walk_pad", "walk_fast", "walk_pivot", "walk_steps", "walk_slope"]
+                       "walk_carry", "walk_pad", "walk_fast", "walk_pivot", "walk_steps", "walk_slope", "walk_crawl"]
 LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot", "carry_box", "tied_hands", "hook_on_step"]
 KNOWN = ["slide_to_roll", "brick_stop", "incline", "heavy_on_light"]  # loose bodies whose way is known in closed form
 BOUNCES = ["bounce", "bounce_wall"]  # the same, where engine ode damps by itself
@@ -120,6 +120,7 @@ def main():
             run(checks, scene, seed)
     run(checks, "walk_turn", 1, robot="hrp2p")
     run(checks, "walk_pad", 1, robot="biped12")
+    run(checks, "walk_forward", 1, robot="quad12")
     robust(checks)
     if harness.FULL:
         jvrc1(checks)
