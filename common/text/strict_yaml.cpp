@@ -74,6 +74,11 @@ ConfigNode ConfigNode::parse(const std::string& text, const std::string& file) {
 
 bool ConfigNode::has(const std::string& key) const { return static_cast<bool>(impl_->find(key)); }
 
+bool ConfigNode::is_map(const std::string& key) const {
+  const YAML::Node node = impl_->find(key);
+  return node && node.IsMap();
+}
+
 std::vector<std::string> ConfigNode::keys() const {
   std::vector<std::string> result;
   for (const auto& entry : impl_->node) {

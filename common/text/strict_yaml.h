@@ -42,6 +42,7 @@ class ConfigNode {
                               const std::vector<double>& fallback) const;
   std::vector<std::string> texts(const std::string& key) const;  // a list; empty if absent
 
+  bool is_map(const std::string& key) const;                   // false if absent
   ConfigNode map(const std::string& key) const;                // a map that must be there
   std::vector<ConfigNode> list(const std::string& key) const;  // a list of maps; empty if absent
 

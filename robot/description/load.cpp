@@ -84,7 +84,7 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
   if (!yaml.imu_frame.empty()) {
     const Frame imu = builder.frame(yaml.imu_frame, file + ": imu");
     model.imu_link = imu.link;
-    model.imu = imu.in_link;
+    model.imu = imu.in_link * yaml.imu_offset;
   }
   for (std::size_t side = 0; side < 2; ++side) {
     const std::string name = side == 0 ? "left" : "right";

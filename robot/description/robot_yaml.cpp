@@ -21,6 +21,9 @@ Eigen::Isometry3d read_offset(const ConfigNode& node) {
   for (const double value : at) {
     if (!(std::abs(value) <= 10.0)) node.fail("at", "must be within 10 m");
   }
+  for (const double value : rpy) {
+    if (!(std::abs(value) <= 6.3)) node.fail("rpy", "must be within 2 pi");
+  }
   Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   offset.translation() << at[0], at[1], at[2];
   if (rpy != std::vector<double>{0.0, 0.0, 0.0}) {
@@ -89,7 +92,14 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
   yaml.fixed_joints = top.texts("fixed_joints");
   yaml.inertia_from_shape = top.texts("inertia_from_shape");
   yaml.floating_base = top.choice("base", {"floating", "fixed"}, 0) == 0;
-  yaml.imu_frame = top.text("imu", "");
+  if (top.is_map("imu")) {
+    const ConfigNode imu = top.map("imu");
+    yaml.imu_frame = imu.text("frame");
+    yaml.imu_offset = read_offset(imu);
+    imu.finish();
+  } else {
+    yaml.imu_frame = top.text("imu", "");
+  }
 
   Model& timing = yaml.timing;
   timing.period_ns = static_cast<std::int32_t>(

@@ -41,6 +41,7 @@ struct RobotYaml {
   std::vector<std::string> inertia_from_shape;  // links; see shape_inertia.h
   bool floating_base = true;
   std::string imu_frame;
+  Eigen::Isometry3d imu_offset = Eigen::Isometry3d::Identity();  // of the IMU in that link
   std::array<SoleEntry, 2> soles;
   std::array<HandEntry, 2> hands;
   std::vector<std::string> leg_joints;

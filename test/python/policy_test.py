@@ -277,6 +277,13 @@ class Observations(unittest.TestCase):
         self.assertTrue(np.allclose(found[6:9], [0.0, 0.0, 2.0]))
         self.assertTrue(np.allclose(found[9:], [0.2, -1.0, 0.0]))  # 1 m/s forward is -y of the IMU; turning adds 2 * 0.1 along its x
 
+    def test_imu_at_a_place_in_a_link(self):
+        named, placed = quadruped(), quadruped({'frame': 'trunk', 'at': [0.1, 0, 0], 'rpy': [0, 0, math.pi / 2]})
+        zero = np.zeros(12)
+        one, other = named.motion(named.imu, zero, zero), placed.motion(placed.imu, zero, zero)
+        self.assertTrue(np.allclose(one.rotation, other.rotation) and np.allclose(one.place, other.place))
+        self.assertEqual(named.names(), placed.names())
+
     def test_frame_behind_a_moving_joint(self):
         dog = quadruped()
         q, qd = np.zeros(12), np.zeros(12)

@@ -69,6 +69,24 @@ TEST(LoadRobot, HashFollowsTheNominalModelOnly) {
   EXPECT_NE(folder.load().hash, hash);
 }
 
+TEST(LoadRobot, TheImuIsAFrameOrAPlaceInOne) {
+  Folder named, placed, zero;
+  named.yaml += "imu: plate\n";
+  placed.yaml += "imu: {frame: plate, at: [0.1, 0, 0.2], rpy: [0, 0, 0.5]}\n";
+  zero.yaml += "imu: {frame: plate}\n";
+  const Model at_frame = named.load(), at_place = placed.load();
+  EXPECT_EQ(at_frame.hash, zero.load().hash);
+  EXPECT_TRUE(at_place.imu.translation().isApprox(Eigen::Vector3d(1.1, 0, 0.2), 1e-12));
+  EXPECT_NEAR(at_place.imu.linear()(1, 0), std::sin(0.5), 1e-12);
+  EXPECT_NE(at_place.hash, at_frame.hash);
+  for (const char* bad : {"{frame: tail}", "{at: [0, 0, 0]}", "{frame: plate, at: [0, .nan, 0]}", "{frame: plate, at: [99, 0, 0]}",
+                          "{frame: plate, rpy: [0, 0, 9]}", "{frame: plate, side: left}", "[plate]"}) {
+    Folder folder;
+    folder.yaml += std::string("imu: ") + bad + "\n";
+    EXPECT_NE(folder.error().find("imu"), std::string::npos) << bad << ": " << folder.error();
+  }
+}
+
 TEST(LoadRobot, FixedInRobotYamlLeavesTheBus) {
   Folder folder;
   folder.yaml += "fixed_joints: [jc]\n";

@@ -16,6 +16,7 @@ from .. import home
 from .errors import PolicyError
 
 Array = NDArray[np.float64]
+IMU_PLACE = 'imu of robot.yaml'  # the link that robot.yaml describes
 MOVING = ('revolute', 'continuous', 'prismatic')
 
 
@@ -128,6 +129,11 @@ def about(axis: Array, angle: float) -> Array:
     return rotation
 
 
+def _from_rpy(roll: float, pitch: float, yaw: float) -> Array:
+    rotation: Array = about(np.array([0.0, 0.0, 1.0]), yaw) @ about(np.array([0.0, 1.0, 0.0]), pitch) @ about(np.array([1.0, 0.0, 0.0]), roll)
+    return rotation
+
+
 def _numbers(text: str | None, default: str) -> Array:
     values = np.array([float(word) for word in (text or default).split()])
     if values.shape != (3,) or not np.all(np.isfinite(values)):
@@ -143,8 +149,8 @@ def _joint(element: xml.Element) -> RobotJoint:
     length = float(np.linalg.norm(axis))
     joint = RobotJoint(
         name=element.get('name', ''), kind=element.get('type', ''), parent=_link(element, 'parent'), child=_link(element, 'child'),
-        rotation=about(np.array([0.0, 0.0, 1.0]), yaw) @ about(np.array([0.0, 1.0, 0.0]), pitch) @ about(np.array([1.0, 0.0, 0.0]), roll),
-        place=_numbers(None if origin is None else origin.get('xyz'), '0 0 0'), axis=axis / length if length > 0.0 else axis,
+        rotation=_from_rpy(roll, pitch, yaw), place=_numbers(None if origin is None else origin.get('xyz'), '0 0 0'),
+        axis=axis / length if length > 0.0 else axis,
         mimics=element.find('mimic') is not None)
     if limit is not None:
         if joint.kind != 'continuous':
@@ -188,10 +194,15 @@ def from_texts(urdf: str, srdf: str, settings: Mapping[str, Any]) -> Robot:
                 by_name[name].kp = float(servo.get('kp', by_name[name].kp))
                 by_name[name].kd = float(servo.get('kd', by_name[name].kd))
                 by_name[name].armature = float(servo.get('rotor_inertia', by_name[name].armature))
+    imu = settings.get('imu')
+    if isinstance(imu, Mapping):  # a place in a link: one more link there
+        joints.append(RobotJoint('imu place', 'fixed', str(imu.get('frame', '')), IMU_PLACE, _from_rpy(*(float(v) for v in imu.get('rpy') or (0.0, 0.0, 0.0))),
+                                 np.array([float(v) for v in imu.get('at') or (0.0, 0.0, 0.0)]), np.array([1.0, 0.0, 0.0])))
+        imu = IMU_PLACE
     children = {joint.child for joint in joints}
     bases = [link.get('name', '') for link in root.findall('link') if link.get('name', '') not in children]
     base = bases[0] if bases else ''
-    return Robot(root.get('name', 'robot'), joints, base, str(settings.get('imu') or base), float(settings.get('period', 0.002)), poses)
+    return Robot(root.get('name', 'robot'), joints, base, str(imu or base), float(settings.get('period', 0.002)), poses)
 
 
 def folder_of(name: str) -> pathlib.Path:
