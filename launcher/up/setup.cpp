@@ -2,14 +2,16 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <array>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "common/text/formatted.h"
-#include "common/text/xml.h"
 #include "launcher/run/judge_scene.h"
+#include "launcher/up/robot_copy.h"
 #include "launcher/stack/run_folder.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene.h"
@@ -24,7 +26,6 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 using Pairs = std::vector<std::array<std::string, 2>>;
 
-constexpr char kPagePose[] = "set_on_page";
 constexpr std::size_t kMostPushes = 100;
 constexpr std::size_t kMostPairs = 5000;
 constexpr double kLargestImpulse = 1000.0;  // [N s]
@@ -92,6 +93,13 @@ Pairs unchecked_pairs(const Json& wish, const Model& model) {
   return pairs;
 }
 
+Pairs disabled_pairs(const Model& model) {
+  Pairs pairs;
+  for (const auto& [a, b] : model.disabled_pairs)
+    pairs.push_back({model.links[static_cast<std::size_t>(a)].name, model.links[static_cast<std::size_t>(b)].name});
+  return pairs;
+}
+
 // The scene as it is in config/scenes, with other beginnings.
 std::string scene_text(const Json& wish, const Model& model, const std::string& pose) {
   YAML::Node scene = YAML::Load(load_scene(text_member(wish, "scene")).text);
@@ -118,85 +126,90 @@ std::string scene_text(const Json& wish, const Model& model, const std::string& 
   return std::string(emitter.c_str()) + "\n";
 }
 
-// The same robot with another SRDF.
-void copy_robot(const std::string& from, const fs::path& to, const Model& model, const Pairs& pairs,
-                const std::vector<std::pair<std::string, double>>& joints) {
-  fs::remove_all(to);
-  fs::copy(from, to, fs::copy_options::recursive);
-  YAML::Node yaml = YAML::Load(read_text_file(to / "robot.yaml"));
-  const std::string name = yaml["srdf"] ? yaml["srdf"].as<std::string>() : "set_up.srdf";
-  const std::string old = yaml["srdf"] ? read_text_file(to / name) : std::string();
-  if (!yaml["srdf"]) {
-    yaml["srdf"] = name;
-    YAML::Emitter emitter;
-    emitter << yaml;
-    write_file(to / "robot.yaml", std::string(emitter.c_str()) + "\n");
+Json parsed(const std::string& wish) {
+  Json json = Json::parse(wish, nullptr, false);
+  if (!json.is_object()) refuse("a setup is a JSON object");
+  return json;
+}
+
+RobotChange robot_change(const Json& wish, const Model& model) {
+  const auto limbs = wish.find("limbs");
+  return {.limbs = limbs == wish.end() || limbs->is_null() ? std::string() : limbs->dump(-1, ' ', true, Json::error_handler_t::replace),
+          .unchecked = wish.contains("unchecked") ? unchecked_pairs(wish, model) : disabled_pairs(model),
+          .joints = page_posture(wish, model)};
+}
+
+bool changes_robot(const Json& wish, const RobotChange& change) {
+  return !change.limbs.empty() || !change.joints.empty() || wish.contains("unchecked");
+}
+
+// Of the robot's name, which a file gives: letters that mean something to the file system are replaced.
+std::string folder_name(const Model& model) {
+  std::string name = model.name.empty() ? "robot" : model.name.substr(0, 64);
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
   }
-  write_file(to / name, edited_srdf(old, model.name, pairs, kPagePose, joints));
+  return name;
+}
+
+// Files that are written beside those of an earlier wish, and take their places when they are good.
+class Draft {
+ public:
+  explicit Draft(const std::string& folder) : folder_(folder), draft_(folder_ / "draft") {
+    fs::remove_all(draft_);
+    fs::create_directories(draft_);
+  }
+  ~Draft() {
+    std::error_code ignored;
+    fs::remove_all(draft_, ignored);
+  }
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  std::string file(const std::string& name) const { return draft_ / name; }
+  std::string keep(const std::string& name) const {
+    fs::remove_all(folder_ / name);
+    fs::rename(draft_ / name, folder_ / name);
+    return folder_ / name;
+  }
+
+ private:
+  fs::path folder_, draft_;
+};
+
+// The changed robot, written and read back.
+Model written_robot(const std::string& from, const std::string& to, const Model& model, const RobotChange& change) {
+  copy_robot(from, to, model.name, change);
+  Model changed = load_robot(to);
+  if (change.limbs.empty() && changed.hash != model.hash)
+    refuse("the changed robot is another one: its model hash differs");
+  return changed;
 }
 
 }  // namespace
 
-std::string edited_srdf(const std::string& srdf, const std::string& robot, const Pairs& unchecked,
-                        const std::string& pose,
-                        const std::vector<std::pair<std::string, double>>& joints) {
-  std::string text = srdf.empty() ? "<robot name=\"" + robot + "\">\n</robot>\n" : srdf;
-  const std::string element = "<disable_collisions";
-  for (std::size_t at = 0; (at = text.find(element, at)) != std::string::npos;) {
-    const std::size_t end = text.find('>', at);
-    if (end == std::string::npos) break;
-    const std::string closing = "</disable_collisions>";
-    std::size_t next = end + 1;
-    if (text[end - 1] != '/') {
-      const std::size_t closed = text.find(closing, end);
-      if (closed == std::string::npos) break;
-      next = closed + closing.size();
-    }
-    text.erase(at, next - at);
-  }
-  std::string more;
-  for (const auto& [a, b] : unchecked)
-    more += "  " + element + " link1=\"" + a + "\" link2=\"" + b + "\" reason=\"User\"/>\n";
-  if (!joints.empty()) {
-    more += "  <group_state name=\"" + pose + "\" group=\"all\">\n";
-    for (const auto& [name, value] : joints) {
-      more += "    <joint name=\"" + name + formatted("\" value=\"%.12g\"/>\n", value);
-    }
-    more += "  </group_state>\n";
-  }
-  const std::size_t end = text.rfind("</robot>");
-  if (end == std::string::npos) refuse("the SRDF has no </robot>");
-  return text.insert(end, more);
-}
-
 Setup write_setup(const std::string& wish_text, const std::string& robot,
                   const std::string& folder) {
-  const Json wish = Json::parse(wish_text, nullptr, false);
-  if (!wish.is_object()) refuse("a setup is a JSON object");
+  const Json wish = parsed(wish_text);
   const std::string name = text_member(wish, "scene");
   if (name.empty() || name.find('/') != std::string::npos)
     refuse("scene must be a name in config/scenes");
-  Setup setup{
-      .scene = folder + "/scene.yaml", .robot = robot, .engine = text_member(wish, "engine")};
+  Setup setup{.scene = folder + "/scene.yaml", .robot = robot, .engine = text_member(wish, "engine")};
   Engine engine;
   if (!setup.engine.empty() && !engine_of(setup.engine, engine))
     refuse("there is no engine '" + setup.engine + "'; use articulated, ode or mujoco");
   const std::string from = robot_folder(robot);
   const Model model = load_robot(from);
-  const std::vector<std::pair<std::string, double>> joints = page_posture(wish, model);
-  const std::string pose = joints.empty() ? text_member(wish, "pose") : kPagePose;
-  if (joints.empty() && !pose.empty() && model.find_pose(pose) < 0)
+  const RobotChange change = robot_change(wish, model);
+  const std::string pose = change.joints.empty() ? text_member(wish, "pose") : kPagePose;
+  if (change.joints.empty() && !pose.empty() && model.find_pose(pose) < 0)
     refuse("the robot " + model.name + " has no pose '" + pose + "'");
-  fs::create_directories(folder);
-  write_file(setup.scene, scene_text(wish, model, pose));
-  if (!joints.empty() || wish.contains("unchecked")) {
-    setup.robot = folder + "/" + model.name;
-    copy_robot(from, setup.robot, model, unchecked_pairs(wish, model), joints);
-  }
-  const Model changed = load_robot(setup.robot);
-  if (changed.hash != model.hash)
-    refuse("the changed robot is another one: its model hash differs");
-  Scene scene = load_scene(setup.scene);
+  Draft draft(folder);
+  write_file(draft.file("scene.yaml"), scene_text(wish, model, pose));
+  Model changed = model;
+  const bool other = changes_robot(wish, change);
+  if (other) changed = written_robot(from, draft.file(folder_name(model)), model, change);
+  Scene scene = load_scene(draft.file("scene.yaml"));
   if (setup.engine.empty()) setup.engine = scene.engine;
   scene.engine = setup.engine;
   resolve_poses(scene, changed);
@@ -206,7 +219,26 @@ Setup write_setup(const std::string& wish_text, const std::string& robot,
   if (trial.open(changed, {}) != Status::kOk)
     refuse("the simulator cannot begin like this; it says why where ./twinbus up runs");
   trial.close();
+  draft.keep("scene.yaml");
+  if (other) setup.robot = draft.keep(folder_name(model));
+  setup.model_hash = changed.hash;
   return setup;
+}
+
+Setup save_robot(const std::string& wish_text, const std::string& robot, const std::string& folder) {
+  const Json wish = parsed(wish_text);
+  const std::string from = robot_folder(robot);
+  const Model model = load_robot(from);
+  Draft draft(folder);
+  const Model changed = written_robot(from, draft.file(folder_name(model)), model, robot_change(wish, model));
+  return {.scene = {}, .robot = draft.keep(folder_name(model)), .engine = {}, .model_hash = changed.hash};
+}
+
+std::int64_t save_number(const std::string& wish_text) {
+  const Json wish = Json::parse(wish_text, nullptr, false);
+  if (!wish.is_object()) return -1;
+  const auto save = wish.find("save");
+  return save != wish.end() && save->is_number_unsigned() ? save->get<std::int64_t>() : -1;
 }
 
 }  // namespace twinbus

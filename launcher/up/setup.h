@@ -2,19 +2,20 @@
 // are checked for collision.
 //
 // A wish is a JSON text, SETUP/wish.json in the run folder.  It becomes what a user would write by hand: a scene file and a
-// robot's folder (a copy whose SRDF has one more pose and other disabled pairs), both kept with the run, both read by the
-// same strict readers.  Nothing else of the robot can be changed: its model hash stays.
+// robot's folder (a copy with other soles, hands, IMU, disabled pairs and one more pose), both kept with the run, both read by the
+// same strict readers.  Nothing else of the robot can be changed.
 //
 //   {"scene": "stand", "engine": "ode", "pose": "half_sitting", "joints": {"WAIST_P": 0.1},
 //    "pushes": [{"link": "CHEST", "at": 3, "impulse": [30, 0, 0], "duration": 0.1}],
-//    "unchecked": [["A", "B"], ...]}          every key but scene may be left out; unchecked: all of them
+//    "unchecked": [["A", "B"], ...], "limbs": {see robot_copy.h}, "save": 7}
+//
+// Every key but scene may be left out; unchecked: all of them.  save: only the robot's folder is written, and nothing starts anew;
+// its number stands in the answer.
 
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace twinbus {
 
@@ -22,16 +23,17 @@ struct Setup {
   std::string scene;  // file
   std::string robot;  // folder or name
   std::string engine;
+  std::int64_t model_hash = 0;  // of the robot
 };
 
 // Writes the files into folder and reads them back.  robot: name or folder of the robot that runs.  Throws
-// std::runtime_error with one sentence that says what is wrong; files of an earlier wish may then be half replaced.
+// std::runtime_error with one sentence that says what is wrong; the files of an earlier wish are then as they were.
 Setup write_setup(const std::string& wish, const std::string& robot, const std::string& folder);
 
-// The SRDF text with these disabled pairs in the place of its own, and one more pose; no pose without joints.
-std::string edited_srdf(const std::string& srdf, const std::string& robot,
-                        const std::vector<std::array<std::string, 2>>& unchecked,
-                        const std::string& pose,
-                        const std::vector<std::pair<std::string, double>>& joints);
+// The robot's folder of the wish alone; what it gives and throws as write_setup(), without scene and engine.
+Setup save_robot(const std::string& wish, const std::string& robot, const std::string& folder);
+
+// The number of a wish that only saves the robot; -1 of another one.
+std::int64_t save_number(const std::string& wish);
 
 }  // namespace twinbus

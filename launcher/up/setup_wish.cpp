@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -24,7 +25,8 @@ constexpr std::uintmax_t kLargestWish = 1 << 20;     // [bytes]
 constexpr char kAgain[] = "{\"again\": true}";        // begin anew as before
 constexpr double kMostStart = 10.0;                  // [s]
 
-bool concerns(const StackProcess& process) {
+bool concerns(const StackProcess& process, bool other_robot) {
+  if (other_robot && process.program == "twinbus_viewer") return true;
   constexpr std::array<const char*, 4> kPrograms = {"twinbus_simulator", "twinbus_controller",
                                                     "twinbus_guard", "twinbus_planner"};
   return std::find(kPrograms.begin(), kPrograms.end(), process.program) != kPrograms.end();
@@ -62,8 +64,44 @@ Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, co
     throw std::runtime_error("this stack does not begin with a simulator");
   if (seen.newest_state().source != SourceKind::kSimulator)
     throw std::runtime_error("switch to the simulator first");
-  if (wish != kAgain) now_ = write_setup(wish, robot, folder_);
+  if (wish != kAgain) {
+    now_ = write_setup(wish, robot, folder_);
+    keep_changes(wish);
+  }
   return now_;
+}
+
+std::string SetupWishes::save(const std::string& wish, const std::string& robot, bool& saved) {
+  nlohmann::json answer = {{"save", save_number(wish)}};
+  std::string sentence;
+  saved = false;
+  try {
+    const Setup written = save_robot(wish, robot, folder_);
+    now_.robot = written.robot;
+    now_.model_hash = written.model_hash;
+    keep_changes(wish);
+    saved = true;
+    sentence = "robot saved as " + written.robot;
+    answer["folder"] = written.robot;
+  } catch (const std::exception& error) {
+    sentence = std::string("robot not saved: ") + error.what();
+  }
+  answer["ok"] = saved;
+  answer["text"] = sentence;
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  write_file(folder_ + "/saved.json.new", answer.dump(-1, ' ', true, replace));
+  fs::rename(folder_ + "/saved.json.new", folder_ + "/saved.json");  // whole at once
+  return sentence;
+}
+
+// What of the robot is changed, for a page that is opened later.
+void SetupWishes::keep_changes(const std::string& wish) const {
+  const nlohmann::json json = nlohmann::json::parse(wish, nullptr, false);
+  nlohmann::json changes = nlohmann::json::object();
+  for (const char* key : {"limbs", "unchecked"}) {
+    if (json.contains(key)) changes[key] = json[key];
+  }
+  write_file(folder_ + "/robot.json", changes.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
 std::string SetupWishes::answer(const std::string& wish, const std::string& problem) const {
@@ -82,10 +120,10 @@ void fill_in(const Setup& setup, Placeholders& values) {
   values["engine"] = {"--engine", setup.engine};
 }
 
-void start_anew(const Stack& stack, Supervisor& supervisor, BusLink& bus) {
+void start_anew(const Stack& stack, bool other_robot, Supervisor& supervisor, BusLink& bus) {
   const std::int32_t old = supervisor.pid_of(stack.activate);
   for (const Supervised& one : supervisor.processes()) {
-    if (!concerns(one.process)) continue;
+    if (!concerns(one.process, other_robot)) continue;
     const std::string refusal = supervisor.restart(one.process.name, monotonic_ns());
     if (!refusal.empty()) throw std::runtime_error(refusal);
   }

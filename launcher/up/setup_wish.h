@@ -28,10 +28,16 @@ class SetupWishes {
   Setup prepare(const std::string& wish, const std::string& robot, const Stack& stack,
                 const StackMonitor& seen);
 
+  // Of a wish that only saves the robot: writes it, and gives the sentence that answers, also in the file saved.json.  Begun anew as
+  // before, the robot is the saved one.  saved: whether it could be done.
+  std::string save(const std::string& wish, const std::string& robot, bool& saved);
+
   // The sentence that answers, also in the file answer.  What holds now is kept in now.json, where the page finds it.
   std::string answer(const std::string& wish, const std::string& problem) const;
 
  private:
+  void keep_changes(const std::string& wish) const;
+
   std::string folder_;
   Setup now_;
   std::int64_t looked_ns_ = 0;
@@ -40,9 +46,9 @@ class SetupWishes {
 // What processes are started with from now on.
 void fill_in(const Setup& setup, Placeholders& values);
 
-// Starts simulator, controller, guard and planner of the stack anew and waits until the new simulator is heard.  Throws
-// std::runtime_error when it is not within 10 s.
-void start_anew(const Stack& stack, Supervisor& supervisor, BusLink& bus);
+// Starts simulator, controller, guard and planner of the stack anew and waits until the new simulator is heard; the viewer too where the
+// robot is another one.  Throws std::runtime_error when it is not within 10 s.
+void start_anew(const Stack& stack, bool other_robot, Supervisor& supervisor, BusLink& bus);
 
 // Takes out what sources, controller, guard and planner say of themselves when they begin anew.
 void drop_events_of_the_loop(std::vector<std::string>& events);

@@ -85,6 +85,7 @@ class Up {
   std::unique_ptr<RestartRequests> restarts_;
   std::unique_ptr<SetupWishes> wishes_;
   Placeholders values_;
+  std::int64_t model_hash_ = 0;  // of the robot that runs
   Redraw redraw_;
   std::vector<std::string>* held_back_ = nullptr;  // while the run begins anew: what is said only if that fails
   CpuShare shares_;
@@ -138,7 +139,8 @@ Up::Up(const Arguments& arguments) {
   supervisor_ = std::make_unique<Supervisor>(stack_, values_, folder_,
                                              [this](const std::string& line) { say(line); });
   restarts_ = std::make_unique<RestartRequests>(folder_);
-  const Setup now{arguments.word(0, "stand"), request_.robot, request_.engine};
+  model_hash_ = model.hash;
+  const Setup now{arguments.word(0, "stand"), request_.robot, request_.engine, model.hash};
   wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup", now);
 }
 
@@ -313,6 +315,12 @@ void Up::wait_for_first_commands() {
 
 // As if it had been started so: the run begins anew, its log goes on.
 void Up::set_up(const std::string& wish) {
+  if (save_number(wish) >= 0) {
+    bool saved = false;
+    const std::string said = wishes_->save(wish, request_.robot, saved);
+    bus_->tell(said, saved ? 0 : 2);
+    return;
+  }
   std::string problem;
   std::vector<std::string> lines;
   held_back_ = &lines;
@@ -323,7 +331,8 @@ void Up::set_up(const std::string& wish) {
     fill_in(setup, values_);
     values_["start"].clear();  // the wish names its own
     supervisor_->fit(values_);
-    start_anew(stack_, *supervisor_, *bus_);
+    start_anew(stack_, setup.model_hash != model_hash_, *supervisor_, *bus_);
+    model_hash_ = setup.model_hash;
     activate();
     wait_for_first_commands();
   } catch (const std::exception& error) {

@@ -120,6 +120,15 @@ TEST(PageRequest, RefusesEverythingElse) {
   EXPECT_FALSE(read(std::string(4000, '['), true, request));
 }
 
+TEST(PageRequest, ASetupMayOnlySaveTheRobot) {
+  PageRequest request;
+  ASSERT_TRUE(read(R"({"do":"setup","setup":{"scene":"stand"}})", true, request));
+  EXPECT_FALSE(request.saves);
+  ASSERT_TRUE(read(R"({"do":"setup","setup":{"scene":"stand","save":7}})", true, request));
+  EXPECT_TRUE(request.saves);
+  EXPECT_FALSE(read(R"({"do":"setup","setup":{"scene":"stand","save":7}})", false, request));  // who only watches
+}
+
 TEST(PageRequest, NotesAreJsonWhateverTheText) {
   EXPECT_EQ(note_frame("a \"b\""), R"({"text":"a \"b\"","type":"note"})");
   EXPECT_NE(note_frame("\xff"), "");

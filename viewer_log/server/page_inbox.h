@@ -26,7 +26,7 @@ class PageInbox {
     if (request.what == PageRequest::What::kHello) return hello_frame(model, trusted);
     if (request.what == PageRequest::What::kSetup) {
       const std::string refusal = lay_wish(run_folder, request.setup);
-      return note_frame(refusal.empty() ? "Starting anew …" : refusal);
+      return note_frame(!refusal.empty() ? refusal : request.saves ? "Saving …" : "Starting anew …");
     }
     if (request.what == PageRequest::What::kReset) {
       const std::string refusal = lay_wish(run_folder, "{\"again\": true}");

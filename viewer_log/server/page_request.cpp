@@ -139,6 +139,7 @@ bool read_switch(const Json& json, PageRequest& request) {
 bool read_setup(const Json& json, PageRequest& request) {
   const auto setup = json.find("setup");
   if (setup == json.end() || !setup->is_object() || text_member(*setup, "scene").empty()) return false;
+  request.saves = setup->contains("save");
   request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
   return true;
 }

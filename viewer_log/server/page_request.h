@@ -52,6 +52,7 @@ struct PageRequest {
   float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
   ArmSide side = ArmSide::kNone;
   std::string setup;           // JSON
+  bool saves = false;          // the setup only writes the robot
   SimRequest sim;              // without sender, run and robot
   std::string link;            // push
   bool on = false;             // record

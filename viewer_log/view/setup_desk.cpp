@@ -1,10 +1,14 @@
 #include "viewer_log/view/setup_desk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "common/math/pose_math.h"
+#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -40,6 +44,39 @@ Json scene_list(const std::string& folder) {
 
 double to_micro(double value) { return std::round(1e6 * value) / 1e6; }
 
+double to_nano(double value) { return std::round(1e9 * value) / 1e9; }  // as the model's hash
+
+Json limb_json(const char* kind, const char* side, const std::string& frame, const Eigen::Isometry3d& offset) {
+  const Eigen::Vector3d at = offset.translation(), rpy = rpy_from_rotation(offset.linear());
+  Json json = {{"kind", kind}, {"side", side}, {"frame", frame}, {"at", Json::array()}, {"rpy", Json::array()}};
+  for (int i = 0; i < 3; ++i) {
+    json["at"].push_back(to_nano(at[i]));
+    json["rpy"].push_back(to_nano(rpy[i]));
+  }
+  return json;
+}
+
+// Soles, hands and IMU as robot.yaml places them: in a link of the URDF.
+Json limb_list(const Model& model) {
+  Json list = Json::array();
+  if (model.yaml_text.empty()) return list;
+  const RobotYaml yaml = parse_robot_yaml(model.yaml_text, model.folder + "/robot.yaml");
+  constexpr std::array<const char*, 2> kSides = {"left", "right"};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const SoleEntry& entry = yaml.soles[side];
+    if (!entry.present) continue;
+    Json json = limb_json("sole", kSides[side], entry.frame, entry.offset);
+    json["edges"] = {{"front", entry.sole.front}, {"back", entry.sole.back}, {"left", entry.sole.left}, {"right", entry.sole.right}};
+    list.push_back(json);
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    const HandEntry& entry = yaml.hands[side];
+    if (entry.present) list.push_back(limb_json("hand", kSides[side], entry.frame, entry.offset));
+  }
+  list.push_back(limb_json("imu", "", yaml.imu_frame.empty() ? model.links.front().name : yaml.imu_frame, yaml.imu_offset));
+  return list;
+}
+
 }  // namespace
 
 std::string setup_choices(const Model& model, const std::string& scenes_folder) {
@@ -61,6 +98,10 @@ std::string setup_choices(const Model& model, const std::string& scenes_folder) 
                               {"upper", to_micro(std::min(joint.upper, kTurn))}});
   }
   for (const Link& link : model.links) json["links"].push_back(link.name);
+  json["frames"] = Json::array();
+  for (const Frame& frame : model.frames) json["frames"].push_back(frame.name);
+  json["limbs"] = limb_list(model);
+  json["robot"] = model.name;
   for (const auto& [a, b] : model.disabled_pairs) {
     json["unchecked"].push_back({model.links[static_cast<std::size_t>(a)].name,
                                  model.links[static_cast<std::size_t>(b)].name});

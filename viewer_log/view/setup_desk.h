@@ -8,7 +8,7 @@
 
 namespace twinbus {
 
-// JSON: scenes with what they are about, poses, joints with their limits, links, pairs that are not checked.
+// JSON: scenes with what they are about, poses, joints with their limits, links, frames, soles, hands and IMU, pairs that are not checked.
 std::string setup_choices(const Model& model, const std::string& scenes_folder);
 
 // Lays the wish where `up` looks.  A sentence when it cannot be; folder empty: nobody looks.
