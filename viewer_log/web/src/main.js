@@ -9,7 +9,9 @@ import { HandTarget } from './hand_target.js';
 import { History } from './history.js';
 import { Joystick } from './joystick.js';
 import { Keys } from './keys.js';
+import { Limbs } from './limbs.js';
 import { Link } from './link.js';
+import { PairLine } from './pair_line.js';
 import { Panels } from './panels.js';
 import { Parts } from './parts.js';
 import { beginOnPhone } from './phone.js';
@@ -167,8 +169,14 @@ function stop() {
   else panels.toast(kind === kHold ? 'Stop (hold) sent.' : 'Stop sent. Once more: hold at once.');
 }
 
-const setup = new Setup($('setup'), {
+const pairLine = new PairLine(stage, $('view'), robot);
+const limbs = new Limbs(stage, $('view'), robot, () => {}); // after it: a click that picks a link chooses nothing else
+const setup = new Setup($('setup'), limbs, pairLine, {
   near: () => newest?.pairs ?? [],
+  look: () => {
+    if (stage.follow) chips.follow();
+    limbs.look();
+  },
   send: (request) => link.send(request),
   toast: (text) => panels.toast(text),
 });
@@ -339,7 +347,7 @@ const keys = new Keys([
   ['.', '. ,', 'simulated world: one tick, a tenth of a second', live(() => world.step(1))],
   [',', '', '', live(() => world.step(50))],
   ['x', 'X', 'push the simulated robot: pull at it in the picture', live(() => $('sim-push').onclick())],
-  ['s', 'S', 'set up: scene, posture, pushes, checked pairs', chips.setup],
+  ['s', 'S', 'set up: scene, soles, hands, IMU, posture, pushes, checked pairs', chips.setup],
   ['q', 'Q', 'links and joints: what is drawn, a slider for each joint', chips.parts],
   ['e', 'E', 'what the robot\'s camera sees', chips.eye],
   ['r', 'R', 'record a log, and end it', () => { if (!timeline.active) $('record-log').onclick(); }],
@@ -376,10 +384,12 @@ function draw() {
     }
   }
   armPath.tick();
+  limbs.tick();
+  pairLine.tick(newest?.pairs ?? []);
   pad.tick();
   plots.tick();
   timeline.tick();
-  eye.tick(stage, robot.model, [...stage.onTop, armPath.group]);
+  eye.tick(stage, robot.model, [...stage.onTop, armPath.group, limbs.root, pairLine.group]);
   if (figures.drawn === 0) stage.drawFirst(robot.model);
   else stage.draw();
   ++figures.drawn;
@@ -396,4 +406,4 @@ setTimeout(beginDrawing, kPatience);
 link.connect();
 
 // For tests of the page.
-globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, parts, eye, chips, panels, pad, pusher };
+globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, limbs, pairLine, parts, eye, chips, panels, pad, pusher };
