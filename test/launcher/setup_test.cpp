@@ -1,0 +1,152 @@
+#include "launcher/up/setup.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "launcher/up/robot_copy.h"
+#include "robot/description/load.h"
+#include "test/error_of.h"
+#include "test/temporary_folder.h"
+
+namespace twinbus::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+const char* const kMoved = R"({"scene": "stand", "save": 3, "limbs": {
+  "soles": {"left": {"frame": "LFOOT_SOLE", "at": [0.012, -0.003, 0.001], "rpy": [0, 0, 0.05], "front": 0.11, "back": 0.09, "left": 0.05, "right": 0.06}},
+  "hands": {"right": {"frame": "RHAND", "at": [0, 0, -0.02], "rpy": [0.1, -0.2, 0.3]}},
+  "imu": {"frame": "IMU", "at": [0, 0.01, 0], "rpy": [0, 0, 1.5]}}})";
+
+// The pose of a frame of the URDF in its moving link.
+Eigen::Isometry3d in_link(const Model& model, const std::string& name) {
+  for (const Frame& frame : model.frames) {
+    if (frame.name == name) return frame.in_link;
+  }
+  ADD_FAILURE() << name;
+  return Eigen::Isometry3d::Identity();
+}
+
+TEST(Setup, SavedLimbsAreReadBackWhereTheyWerePut) {
+  const TemporaryFolder folder;
+  const Model before = load_robot("hrp2p");
+  const auto setup = save_robot(kMoved, "hrp2p", folder.path());
+  const Model after = load_robot(setup.robot);
+  EXPECT_EQ(fs::path(setup.robot).parent_path(), folder.path());
+  EXPECT_EQ(after.hash, setup.model_hash);
+  EXPECT_NE(after.hash, before.hash);
+  const Sole& sole = after.soles[0];
+  EXPECT_EQ(sole.link, before.soles[0].link);
+  EXPECT_TRUE((in_link(after, "LFOOT_SOLE").inverse() * sole.frame).translation().isApprox(Eigen::Vector3d(0.012, -0.003, 0.001), 1e-9));
+  EXPECT_NEAR((in_link(after, "LFOOT_SOLE").inverse() * sole.frame).linear()(1, 0), std::sin(0.05), 1e-9);
+  EXPECT_EQ(sole.front, 0.11);
+  EXPECT_EQ(sole.right, 0.06);
+  EXPECT_TRUE(sole.sensor.isApprox(before.soles[0].sensor, 1e-12));  // the sensor stays where it is
+  EXPECT_NEAR((in_link(after, "RHAND").inverse() * after.hands[1].frame).translation().z(), -0.02, 1e-9);
+  EXPECT_NEAR((in_link(after, "IMU").inverse() * after.imu).translation().y(), 0.01, 1e-9);
+  // What was not named is as it was, pairs and gains too.
+  EXPECT_TRUE(after.soles[1].frame.isApprox(before.soles[1].frame, 1e-12));
+  EXPECT_EQ(after.disabled_pairs, before.disabled_pairs);
+  EXPECT_EQ(after.joints[0].kp, before.joints[0].kp);
+}
+
+TEST(Setup, AStartWithMovedLimbsRunsThatRobot) {
+  const TemporaryFolder folder;
+  const auto setup = write_setup(kMoved, "hrp2p", folder.path());
+  EXPECT_EQ(load_robot(setup.robot).soles[0].front, 0.11);
+  EXPECT_EQ(setup.model_hash, load_robot(setup.robot).hash);
+  EXPECT_FALSE(fs::exists(folder.path() + "/draft"));
+}
+
+TEST(Setup, ALimbPutBackIsTheRobotItWas) {
+  const TemporaryFolder folder;
+  const auto moved = save_robot(kMoved, "hrp2p", folder.path() + "/first");
+  const auto back = save_robot(R"({"limbs": {"soles": {"left": {"at": [0, 0, 0], "rpy": [0, 0, 0], "front": 0.14, "back": 0.1, "left": 0.069,
+    "right": 0.069}}, "hands": {"right": {"at": [0, 0, 0], "rpy": [0, 0, 0]}}, "imu": {"at": [0, 0, 0], "rpy": [0, 0, 0]}}})",
+                                moved.robot, folder.path() + "/second");
+  EXPECT_EQ(back.model_hash, load_robot("hrp2p").hash);
+}
+
+TEST(Setup, WhatNoRobotCanBeIsRefusedWithOneSentenceAndNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string good = save_robot(kMoved, "hrp2p", folder.path()).robot;
+  const std::string written = text_of(good + "/robot.yaml");
+  const auto refused = [&](const std::string& limbs, const std::string& why) {
+    for (const auto& write : {&save_robot, &write_setup}) {
+      const std::string error = error_of<std::runtime_error>(
+          [&] { write(R"({"scene": "stand", "save": 4, "limbs": )" + limbs + "}", "hrp2p", folder.path()); });
+      EXPECT_NE(error.find(why), std::string::npos) << limbs << ": " << error;
+      EXPECT_FALSE(error.empty()) << limbs;
+      EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+      EXPECT_EQ(text_of(good + "/robot.yaml"), written) << limbs;
+      EXPECT_FALSE(fs::exists(folder.path() + "/draft"));
+      EXPECT_FALSE(fs::exists(folder.path() + "/scene.yaml"));
+    }
+  };
+  refused(R"({"soles": {"left": {"at": [null, 0, 0]}}})", "soles: left: at must be a finite number");  // NaN, as JSON writes it
+  refused(R"({"soles": {"left": {"at": [1e300, 0, 0]}}})", "must be within 10 m");
+  refused(R"({"soles": {"left": {"at": [1e400, 0, 0]}}})", "");  // no JSON at all
+  refused(R"({"soles": {"left": {"at": [0, 0]}}})", "three numbers");
+  refused(R"({"soles": {"left": {"rpy": [1e9, 0, 0]}}})", "rpy");
+  refused(R"({"soles": {"left": {"front": 40}}})", "out of range");
+  refused(R"({"soles": {"left": {"front": -0.1}}})", "out of range");
+  refused(R"({"soles": {"left": {"front": "wide"}}})", "finite number");
+  refused(R"({"soles": {"left": {"frame": "TAIL"}}})", "TAIL");
+  refused(R"({"soles": {"left": {"frame": "a\n- b: c"}}})", "control characters");
+  refused(R"({"soles": {"left": {"frame": "a}, b: {c"}}})", "a}, b: {c");
+  refused(R"({"soles": {"left": {"frame": 7}}})", "name of a link");
+  refused(R"({"soles": {"middle": {}}})", "'middle' is not known");
+  refused(R"({"soles": {"left": {"stiffness": 1}}})", "'stiffness' is not known");
+  refused(R"({"tail": {}})", "'tail' is not known");
+  refused(R"({"imu": {"frame": "TAIL"}})", "TAIL");
+  refused(R"({"imu": {"at": [99, 0, 0]}})", "within 10 m");
+  refused(R"([1])", "must be an object");
+}
+
+TEST(Setup, OnlyAWishWithANumberSaves) {
+  EXPECT_EQ(save_number(kMoved), 3);
+  for (const char* wish : {"", "{}", "[]", R"({"save": -1})", R"({"save": "x"})", R"({"save": 1.5})"}) EXPECT_EQ(save_number(wish), -1) << wish;
+}
+
+TEST(RobotCopy, ASensorOfTheOldFrameIsLeftOutWithIt) {
+  const std::string yaml = "urdf: r.urdf\nsoles:\n  left: {frame: A, sensor: S, front: 0.1}\nimu: B\n";
+  const std::string moved = edited_robot_yaml(yaml, R"({"soles": {"left": {"frame": "C", "at": [0.1, 0, 0]}}, "imu": {"frame": "B", "rpy": [0, 0, 1]}})");
+  EXPECT_EQ(moved.find("sensor"), std::string::npos) << moved;
+  EXPECT_NE(moved.find("frame: C"), std::string::npos) << moved;
+  EXPECT_NE(moved.find("imu: {frame: B, rpy: [0, 0, 1]}"), std::string::npos) << moved;
+  EXPECT_NE(edited_robot_yaml(yaml, R"({"imu": {"frame": "D"}})").find("imu: D"), std::string::npos);
+  EXPECT_NE(edited_robot_yaml(yaml, R"({"soles": {"left": {"frame": "A"}}})").find("sensor: S"), std::string::npos);
+}
+
+// Meshes of a folder beside the robot's are found from the copy, too.
+TEST(RobotCopy, PackagesAreFoundFromTheCopy) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() + "/robots/one");
+  fs::create_directories(folder.path() + "/meshes");
+  folder.write("meshes/cube.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder.write("robots/one/one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto link = [](const std::string& name, const std::string& mesh) {
+    return "<link name='" + name + "'><inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"
+           "<collision><geometry><mesh filename='" + mesh + "'/></geometry></collision></link>";
+  };
+  folder.write("robots/one/one.urdf", "<robot name='../hostile name'>" + link("a", "package://things/cube.obj") + link("b", "package://one/one.obj") +
+               "<joint name='j' type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/>"
+               "<limit lower='-1' upper='1' effort='10' velocity='2'/></joint></robot>");
+  folder.write("robots/one/robot.yaml", "urdf: one.urdf\npackages: {things: ../../meshes}\n");
+  const auto setup = save_robot(R"({"limbs": {"imu": {"frame": "b", "at": [0, 0, 0.1]}}})", folder.path() + "/robots/one", folder.path() + "/run/setup");
+  EXPECT_EQ(fs::path(setup.robot).parent_path(), folder.path() + "/run/setup");  // whatever the file calls the robot
+  const Model model = load_robot(setup.robot);
+  EXPECT_EQ(model.imu_link, 1);
+  EXPECT_EQ(model.imu.translation().z(), 0.1);
+}
+
+}  // namespace
+}  // namespace twinbus::test
