@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""./twinbus bench quadruped [FILE.urdf ...] [--wheel DIR] [--seeds N] [--only WORD] [--keep DIR] [--csv F]: robots on four point feet
-that the stack has never met, proposed by `check --propose` and not edited, stand, are pushed, trot and crawl with the guard on.
+"""./twinbus bench quadruped [FILE.urdf ...] [--wheel DIR] [--seeds N] [--only WORD] [--switch N] [--keep DIR] [--csv F]: robots on
+four point feet that the stack has never met, proposed by `check --propose` and not edited, stand, are pushed, trot and crawl with the guard on.
 
 Without files: the four-legged descriptions in $TWINBUS_DATA/robots (default ../shared/data) and in the wheel example-robot-data,
 unpacked in DIR or else fetched by `pip download` into a temporary folder.  Each stands for 10 s, is pushed by its mass times 0.5 m/s
@@ -9,12 +9,18 @@ once a seed (default 3).  A trot counts when the robot does not fall, is not sto
 velocity within 10 %.  Then, with `gait: crawl` written into its robot.yaml, it crawls for 30 s at 0.05 sqrt(g leg): tilt at most
 3 degrees, velocity within 10 %, and at every tick the zero-moment point at least 3 mm inside what the loaded feet span, which takes
 three of them.  Exit status 1 if a run fails.
+
+--switch N: instead, each goes live from one simulator to another engine, heavier and on softer ground, and back, N times with each of
+seven kinds of lateness, standing and then in phases of the trot (walk_switch_bench).  Limits are those of two legs: no fall, no STATE
+without an answer, standing steps of 5 % of a joint's torque limit and 10 % of the weight, trotting 1.5 times the commanded accelerations
+of the trot itself.
 """
 
 import json
 import math
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 
@@ -82,8 +88,18 @@ class Quadruped(Robot):
         return found
 
 
+    def switched(self, count):
+        """What walk_switch_bench says of it, standing and trotting: [(what, passed, its last lines)]."""
+        found = []
+        for what, words in (("stand", ["--stand"]), ("trot", ["--speed", f"{min(SPEED, self.speed):.3f}"])):
+            done = subprocess.run([pathlib.Path(self.binary).parent / "walk_switch_bench", "--engines", "--robot", self.folder, "--count", str(count), *words],
+                                  capture_output=True, text=True, env=self.env)
+            found.append((what, done.returncode == 0, done.stdout.splitlines() or done.stderr.splitlines()))
+        return found
+
+
 def main(words):
-    command = asked(words, __doc__, {"--wheel": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
+    command = asked(words, __doc__, {"--wheel": "", "--seeds": "3", "--only": "", "--switch": "", "--keep": "", "--csv": ""})
     if command is None:
         return 0
     options, files = command
@@ -94,6 +110,14 @@ def main(words):
     with tempfile.TemporaryDirectory() as scratch:
         for robot in proposed(Quadruped, files, pathlib.Path(options["--keep"] or scratch).absolute(), binary):
             looked += 1
+            if options["--switch"]:
+                for what, passed, lines in robot.switched(int(options["--switch"])):
+                    bad += not passed
+                    print(f"{robot.name:20} {robot.mass:5.1f} kg, {what}: {'passed' if passed else 'FAILED'}", flush=True)
+                    for line in lines:
+                        print(f"{'':24}{line}", flush=True)
+                    rows.append(["quadruped", robot.name, f"switched: {what}", "", "", int(passed)])
+                continue
             found = robot.rows(seeds, pathlib.Path(scratch))
             print(f"{robot.name:20} {robot.mass:5.1f} kg, legs {robot.leg:.2f} m, check {robot.seconds:.1f} s: "
                   + ", ".join(f"{what} {passed}/{seeds} (tilt {tilt:.2f})" for what, (passed, tilt) in found.items())
@@ -107,6 +131,8 @@ def main(words):
         write_rows(options["--csv"], ["bench", "case", "metric", "unit", "value", "passed"], rows)
     if not looked:
         print("no description with four legs was found")
+    elif options["--switch"]:
+        print(f"{looked} quadrupeds, {bad} of {2 * looked} kinds of switches failed")
     else:
         print(f"{looked} quadrupeds, {bad} of {len(WHAT) * seeds * looked} runs failed")
     return 1 if bad or not looked else 0

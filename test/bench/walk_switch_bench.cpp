@@ -1,13 +1,13 @@
 // A walking robot is brought to rest, another source takes its place, and it walks on: simulator to robot and back.
 //
-//     walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard]
+//     walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--stand]
 //         [--stall TICKS | --late TICKS] [--trace]
 //
 // N times each way with policy when-safe, asked at a random phase of the step.  Exit status 1 when a body fell, a switch
 // was refused, a stop took more than 1.5 steps, a torque jumped by more than 5 % of its limit or a STATE had no answer.
 // --stall: the machine stands still for so long, in every round at another tick about the switch; --late: only the new
 // source does.  --engines: instead, from one simulator to
-// another engine in mid-step and back (walk_switch_engines.h).
+// another engine in mid-step and back (walk_switch_engines.h); with --stand it stands.  Robots on soles, or on four point feet.
 
 #include <cstdio>
 #include <cstdlib>
@@ -40,7 +40,7 @@ struct Bench {
   unsigned seed = 1;
   int stall = 0;      // of the whole machine, at every tick about the switch in turn [ticks]
   bool late = false;  // only the new source is, so that the old one's next ticks come first
-  bool guard = false, trace = false, engines = false;
+  bool guard = false, trace = false, engines = false, stand = false;
 };
 
 struct Tally {
@@ -51,7 +51,7 @@ struct Tally {
 class Round {
  public:
   Round(const Bench& bench, std::mt19937& random)
-      : bench_(bench), random_(random), gait_(gait_of(bench.model, walking_of(bench.model), 0.01)) {
+      : bench_(bench), random_(random), step_time_(step_time_of(bench.model)) {
     ControlConfig control;
     control.guard_in_loop = bench.guard;
     Scene scene;
@@ -69,7 +69,7 @@ class Round {
   bool walk_and_switch(Tally& tally) {
     const int from = rig_->active();
     rig_->ask(Mode::kWalk);
-    std::uniform_real_distribution<double> phase(0.0, 2.0 * gait_.period());
+    std::uniform_real_distribution<double> phase(0.0, 2.0 * step_time_);
     const double begin = rig_->truth(from).base_position[0];
     const double begin_y = rig_->truth(from).base_position[1];
     run(2.5 + phase(random_), true);
@@ -94,8 +94,8 @@ class Round {
         return say(from, refusal_text(rig_->source(from).status().refusal));
     }
     if (fell_ || rig_->active() != 1 - from) return say(from, "no switch");
-    const double steps = 1e-9 * static_cast<double>(stood_ - asked) / gait_.period();
-    const double all = 1e-9 * static_cast<double>(last_in_air_ - asked) / gait_.period();
+    const double steps = 1e-9 * static_cast<double>(stood_ - asked) / step_time_;
+    const double all = 1e-9 * static_cast<double>(last_in_air_ - asked) / step_time_;
     const double wait = 1e-9 * static_cast<double>(rig_->now_ns() - asked);
     switched_ = rig_->source(1 - from).state().tick;
     watch_torque(1 - from);
@@ -193,7 +193,7 @@ class Round {
 
   const Bench& bench_;
   std::mt19937& random_;
-  Gait gait_;
+  double step_time_;  // [s]
   std::unique_ptr<TwoSources> rig_;
   bool fell_ = false;
   int said_ = 0, stands_since_ = 0, widest_ = 0;
@@ -211,6 +211,7 @@ int run(int argc, char** argv) {
   std::int64_t count = 50, seed = 1, stall = 0, new_only = 0;
   Options options("walk_switch_bench", "Switches of the source under a robot that walks.");
   options.flag("--engines", bench.engines, "between engines");
+  options.flag("--stand", bench.stand, "of a robot that stands; with --engines");
   options.integer("--count", "N", count, 1, 1'000'000, "switches");
   options.number("--speed", "V", bench.speed, -2.0, 2.0, "[m/s]");
   options.text("--robot", "R", robot, "name or folder");
@@ -225,7 +226,7 @@ int run(int argc, char** argv) {
   bench.late = new_only > 0;
   bench.stall = static_cast<int>(std::max(stall, new_only));
   bench.model = load_robot(robot);
-  if (bench.engines) return switch_engines(bench.model, {bench.count, bench.speed, bench.trace});
+  if (bench.engines) return switch_engines(bench.model, {bench.count, bench.speed, bench.stand, bench.trace});
   std::mt19937 random(bench.seed);
   std::array<Tally, 2> tally;
   int failed = 0, falls = 0;
