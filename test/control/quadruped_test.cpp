@@ -114,6 +114,65 @@ TEST(StepGait, DiagonalPairsStepInTurnAndBothStandBetween) {
   EXPECT_FALSE(gait.steps());
 }
 
+TEST(StepGait, ACrawlLiftsOneFootAtATimeAndOnlyWhenItMay) {
+  const PointFeetBody body(test::four_legged(1.0));
+  StepGait gait(body, PointGait::kCrawl);
+  gait.begin_crawl();
+  std::array<int, 4> lifted{};
+  int swinging = -1, most = 0;
+  const double dt = 0.001;
+  for (double t = 0.0; t < gait.period() - 2.0 * dt; t += dt) {
+    gait.advance(dt);
+    int in_air = 0, which = -1;
+    for (int leg = 0; leg < 4; ++leg) {
+      if (!gait.swings(leg)) continue;
+      ++in_air;
+      which = leg;
+      EXPECT_GE(gait.swing_done(leg), 0.0);
+      EXPECT_LE(gait.swing_done(leg), 1.0);
+    }
+    most = std::max(most, in_air);
+    if (which >= 0 && which != swinging) ++lifted[static_cast<std::size_t>(which)];
+    swinging = which;
+  }
+  EXPECT_EQ(most, 1);
+  EXPECT_EQ(lifted, (std::array<int, 4>{1, 1, 1, 1}));
+  gait.begin_crawl();
+  for (int i = 0; i < 5000; ++i) gait.advance(dt, false);
+  for (int leg = 0; leg < 4; ++leg) EXPECT_FALSE(gait.swings(leg)) << "its weight is not above the others";
+  gait.end();
+  gait.advance(dt);
+  EXPECT_FALSE(gait.steps());
+}
+
+TEST(StepGait, TheSpeedChoosesBetweenCrawlAndTrot) {
+  const PointFeetBody body(test::four_legged(1.0));
+  StepGait gait(body, PointGait::kBySpeed);
+  const Eigen::Vector3d slow(0.8 * StepGait(body, PointGait::kCrawl).most_velocity().x(), 0.0, 0.0), fast = 2.0 * slow;
+  EXPECT_TRUE(gait.crawls_at(slow));
+  EXPECT_FALSE(gait.crawls_at(fast));
+  EXPECT_EQ(gait.possible(fast), fast);
+  gait.begin();
+  EXPECT_FALSE(gait.crawls_at(1.1 * slow)) << "who trots goes on until it is clearly slower";
+  EXPECT_TRUE(gait.crawls_at(0.9 * slow));
+  EXPECT_LT(StepGait(body, PointGait::kCrawl).possible(fast).x(), fast.x());
+  EXPECT_FALSE(StepGait(body).crawls_at(slow));
+}
+
+TEST(CrawlPattern, APointIsBroughtIntoTheTriangleOfTheOthers) {
+  const PointFeetBody body(test::four_legged(1.0));
+  for (int lifted = 0; lifted < 4; ++lifted) {
+    for (const double x : {-0.5, -0.1, 0.0, 0.1, 0.5}) {
+      for (const double y : {-0.4, 0.0, 0.05, 0.4}) {
+        const Eigen::Vector2d inside = nearest_inside(body.stance, lifted, {x, y}, 0.03);
+        EXPECT_GT(inside_others(body.stance, lifted, inside), 0.03 - 1e-9);
+        EXPECT_NEAR((nearest_inside(body.stance, lifted, inside, 0.03) - inside).norm(), 0.0, 1e-9) << "who is inside stays";
+      }
+    }
+    EXPECT_GT(inside_others(body.stance, lifted, nearest_inside(body.stance, lifted, {0.0, 0.0}, 1.0)), 0.05) << "no room: the middle";
+  }
+}
+
 TEST(Quadruped, StandsAndIsPushed) {
   for (const double size : {1.0, 2.0}) {
     const Model& model = test::four_legged(size);
@@ -217,7 +276,7 @@ double tilt_of(const SimTruth& truth) {
 
 // To the other engine, where the robot is heavier and the ground softer, and back: standing, then in phases of the trot.
 TEST(Quadruped, GoesOnWhileAnotherSimulatorTakesOver) {
-  const Model& model = test::four_legged(1.0);
+  const Model model = load_robot("quad12");
   TwoSources rig(model, flat(), {}, std::make_unique<SimAdaptor>(flat()),
                  {{{"engine", "ode"}, {"model.mass_scale", "1.03"}, {"contact.stiffness_scale", "0.8"}}});
   double worst = 0.0;
