@@ -110,6 +110,8 @@ Fingerprint ladder_key(const Model& model, const Scene& scene, const OneProcessC
     maker.add(static_cast<std::int64_t>(list->size()));
     for (const auto& [name, value] : *list) maker.add(name).add(value);
   }
+  const Disturbance& d = scene.disturbance;
+  for (const double most : {d.position, d.angle, d.velocity, d.spin, d.mass, d.friction, d.joints}) maker.add(most);
   maker.add(request.error).add(request.all).add(request.duration).add(request.seed);
   maker.add(config.control.guard_in_loop);
   return maker.value();

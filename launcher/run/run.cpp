@@ -268,6 +268,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   --engine E  articulated, ode or mujoco; default the scene's
   --start-pose POSE  of the robot's SRDF, in which it begins; default the scene's
   --seed N  of everything random; default 1
+  --disturbed  a scene without a disturbance of its own gets a small one, drawn from the seed: starts, masses, friction
   --seeds A..B  the scene once for each of these seeds, one at a time on each processor
   --jobs N  with --seeds: so many at a time
   --lanes  with --seeds: the physics of four seeds in the lanes of one vector; hashes are those of seeds run so
@@ -296,6 +297,9 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   start_in(arguments.text("--start-pose", scene.start_pose), model, scene);
   if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
+  if (arguments.has("--disturbed") && !draws_from_seed(scene)) scene.disturbance = small_disturbance();
+  if (many && many->seeds.last > many->seeds.first && !draws_from_seed(scene))
+    std::printf("the scene draws nothing from its seed but the noise of its sensors, if it has some: --disturbed makes each seed another world\n");
   Scene undrawn = scene;
   apply_seed(scene, model, request.seed);
   request.period = model.period();

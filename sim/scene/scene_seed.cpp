@@ -95,6 +95,11 @@ void draw_pushes(Scene& scene, const Model& model, Random& random) {
   }
 }
 
+bool asks_for_some(const Disturbance& d) {
+  const auto asked = {d.position, d.angle, d.velocity, d.spin, d.mass, d.friction, d.joints};
+  return std::any_of(asked.begin(), asked.end(), [](double most) { return most > 0.0; });
+}
+
 // Every number is drawn, used or not: one figure of a disturbance changes nothing of the others.
 void disturb(Scene& scene, const Model& model, Random& random) {
   const Disturbance& d = scene.disturbance;
@@ -103,8 +108,7 @@ void disturb(Scene& scene, const Model& model, Random& random) {
     const double x = within(most), y = within(most), z = within(most);
     return Eigen::Vector3d(x, y, z);
   };
-  const auto asked = {d.position, d.angle, d.velocity, d.spin, d.mass, d.friction, d.joints};
-  if (std::none_of(asked.begin(), asked.end(), [](double most) { return most > 0.0; })) return;
+  if (!asks_for_some(d)) return;
   for (LooseBody& body : scene.loose) {
     body.start.pose.translation() += three(d.position);
     const Eigen::Vector3d turn = three(d.angle);
@@ -126,6 +130,22 @@ void disturb(Scene& scene, const Model& model, Random& random) {
 }
 
 }  // namespace
+
+bool draws_from_seed(const Scene& scene) {
+  return scene.terrain.length > 0.0 || scene.push_round.count > 0 || asks_for_some(scene.disturbance);
+}
+
+Disturbance small_disturbance() {
+  Disturbance d;
+  d.position = 1e-3;
+  d.angle = 5e-3;
+  d.velocity = 5e-3;
+  d.spin = 2e-2;
+  d.mass = 0.02;
+  d.friction = 0.1;
+  d.joints = 0.05;
+  return d;
+}
 
 void apply_seed(Scene& scene, const Model& model, std::uint64_t seed) {
   Random random(seed);

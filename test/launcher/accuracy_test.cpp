@@ -10,6 +10,7 @@
 
 #include "launcher/run/fit_scene.h"
 #include "robot/description/load.h"
+#include "sim/scene/scene_seed.h"
 #include "test/temporary_folder.h"
 
 namespace twinbus {
@@ -76,6 +77,13 @@ TEST_F(LadderKey, AFurtherRobotOfAnotherFolderHasAnother) {
   Scene scene = read();
   const std::string before = key(scene);
   scene.robots.front().robot = "hrp2p";
+  EXPECT_NE(key(scene), before);
+}
+
+TEST_F(LadderKey, ADisturbedSceneHasAnother) {
+  Scene scene = read();
+  const std::string before = key(scene);
+  scene.disturbance = small_disturbance();
   EXPECT_NE(key(scene), before);
 }
 

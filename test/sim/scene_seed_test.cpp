@@ -80,6 +80,30 @@ TEST(SceneSeed, EverySeedOfADisturbanceIsAnotherWorldAndTheSameSeedTheSame) {
   EXPECT_EQ(one.loose[0].start.velocity, body.start.velocity);
 }
 
+TEST(SceneSeed, ASceneThatDrawsNothingIsKnownAndASmallDisturbanceMakesItDraw) {
+  Scene scene;
+  scene.loose.emplace_back().name = "box";
+  EXPECT_FALSE(draws_from_seed(scene));
+  EXPECT_TRUE(draws_from_seed(ramp()));
+  scene.push_round.count = 1;
+  EXPECT_TRUE(draws_from_seed(scene));
+  scene.push_round.count = 0;
+  scene.disturbance = small_disturbance();
+  EXPECT_TRUE(draws_from_seed(scene));
+  Model model;
+  model.joints.emplace_back().name = "knee";
+  Scene one = scene, two = scene;
+  apply_seed(one, model, 1);
+  apply_seed(two, model, 2);
+  EXPECT_NE(one.loose[0].mass, two.loose[0].mass);
+  EXPECT_NE(one.loose[0].start.pose.matrix(), two.loose[0].start.pose.matrix());
+  EXPECT_NE(one.ground_friction, two.ground_friction);
+  ASSERT_EQ(one.start_velocity.size(), 1U);
+  EXPECT_NE(one.start_velocity, two.start_velocity);
+  EXPECT_NE(one.settings, two.settings);  // masses of the robot
+  EXPECT_LT(std::abs(one.loose[0].mass / scene.loose[0].mass - 1.0), 0.05);
+}
+
 TEST(Random, IsTheSameEverywhere) {
   Random random(42);
   const std::uint64_t first = random.next();
