@@ -270,6 +270,7 @@ Status SimAdaptor::read(RobotState& state, double) {
     status = s.ahead ? s.ahead_status : s.advance();
     s.ahead = false;
   }
+  const PartScope part("sensors and TRUTH");
   s.sensors->measure(*s.world, s.step, state);
   state.enabled =
       s.model->bus_count() == 0

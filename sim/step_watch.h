@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/time/cpu_time.h"
+#include "common/time/part_clock.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "sim/engine/energy_balance.h"
 #include "sim/engine/local_error.h"
@@ -36,13 +37,14 @@ class StepWatch {
   // Steps the world; time: at its end [s].
   Status step(World& world, double time) noexcept {
     const double begun = timed_ ? thread_cpu_seconds() : 0.0;
-    const Status status = world.step();
+    const Status status = step_of(world);
     if (timed_) seconds_ += std::max(0.0, thread_cpu_seconds() - begun - clock_);
     if (status == Status::kOk) stepped(world, time);
     return status;
   }
   // After a step of the world, whoever took it.
   void stepped(const World& world, double time) noexcept {
+    const PartScope part("energy and doubts");
     double work = 0.0;
     for (const Push& push : pushes_) work += push.force.dot(world.link_in_world(push.link) * push.local - push.from);
     pushes_.clear();
@@ -67,6 +69,10 @@ class StepWatch {
     int link;
     Eigen::Vector3d local, from, force;
   };
+  static Status step_of(World& world) noexcept {
+    const PartScope part("dynamics");
+    return world.step();
+  }
   static bool touched(const World& world) noexcept {
     return std::any_of(world.contacts().begin(), world.contacts().end(), [](const ContactPoint& c) { return !c.tie; });
   }

@@ -11,6 +11,7 @@
 #include "robot/collision/collision_pairs.h"
 #include "robot/collision/thing_name.h"
 #include "common/math/index.h"
+#include "common/time/part_clock.h"
 
 namespace twinbus {
 
@@ -266,6 +267,7 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
 
 const GuardReport& Guard::check(const RobotState& state, const JointCommand* command,
                                 const Estimator& seen) noexcept {
+  const PartScope part("guard");
   Impl& i = *impl_;
   i.now = seen.configuration();
   i.now_kinematics = &seen.kinematics();

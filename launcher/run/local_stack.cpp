@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "common/text/formatted.h"
+#include "common/time/part_clock.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/refusal_text.h"
@@ -66,6 +67,7 @@ std::int64_t now_or_one(std::int64_t now_ns) { return now_ns > 0 ? now_ns : 1; }
 template <class T>
 bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash,
                               std::int64_t* content) {
+  const PartScope part("messages");
   std::array<std::uint8_t, kLargestMessage> bytes;
   const int size = encode(sent, bytes);
   if (size <= 0) return false;
@@ -283,10 +285,14 @@ void OneProcess::restart_controller(std::int64_t controller_id) {
 }
 
 void OneProcess::answer(const RobotState& state) {
-  loop_->on_state(state, now_ns_);
   JointCommand answer;
   std::int64_t answer_content = 0, report_content = 0;
-  if (loop_->step(now_ns_, answer) &&
+  const auto controller = [&] {
+    const PartScope part("controller");
+    loop_->on_state(state, now_ns_);
+    return loop_->step(now_ns_, answer);
+  };
+  if (controller() &&
       over_the_bus(channel::kCommand, answer, command_, nullptr, &answer_content)) {
     source_.on_command(command_, now_ns_);
     for (StopPlanPiece piece, received; loop_->take_plan(piece);) {
@@ -375,6 +381,7 @@ void OneProcess::plan(const ArmGoal& goal) {
   if (goal.goal_id == planned_goal_) return;  // said again
   planned_goal_ = goal.goal_id;
   if (goal.kind == ArmGoalKind::kCancel) return;
+  const PartScope part("planner");
   if (planner_ == nullptr) {
     planner_ = std::make_unique<ArmPlanner>(model_);
     planner_->set_obstacles(obstacles_.obstacles());
@@ -412,6 +419,7 @@ std::string OneProcess::first_touch() const {
 }
 
 void OneProcess::watch() {
+  const PartScope part("figures of the run");
   SimTruth truth = *sim_.truth();
   truth.tick = heard_.tick;
   truth.run_id = kRunId;

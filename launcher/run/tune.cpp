@@ -10,6 +10,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "common/text/formatted.h"
+#include "common/time/part_clock.h"
 #include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/ladder_plot.h"
@@ -81,25 +82,41 @@ std::string why_of(const Opened& opened, const AccuracyChoice& choice) {
       rung.cost, 1e3 * choice.ladder.agreement, commit_of_program().c_str());
 }
 
+// A line for each part, what takes most first.
+std::string parts_of_time(const PartClock& clock, double simulated) {
+  std::vector<PartClock::Part> parts(clock.parts().begin(), clock.parts().end());
+  std::stable_sort(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.seconds > b.seconds; });
+  double all = 0.0;
+  for (const PartClock::Part& part : parts) all += part.seconds;
+  std::string text = "part of the time         CPU [ms/s]    share\n";
+  for (const PartClock::Part& part : parts) {
+    text += formatted("%-22s %12.3f  %5.1f %%\n", std::string(part.name).c_str(), 1e3 * part.seconds / simulated,
+                      all > 0.0 ? 1e2 * part.seconds / all : 0.0);
+  }
+  return text;
+}
+
 // Where the time of a short run goes.
 void print_shares(const Opened& opened) {
   OneProcess run(opened.model, opened.scene, opened.config);
-  run.time_physics();
   const double duration = std::min(kLook, opened.request.duration);
   const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(duration / opened.model.period()));
   const std::int64_t begun = monotonic_ns();
   std::size_t contacts = 0, most = 0;
-  while (run.ticks() < ticks && run.tick()) {
+  PartClock clock;
+  const auto tick = [&] {
+    const PartClock::Running running(clock);
+    const PartScope part("all else");
+    return run.tick();
+  };
+  while (run.ticks() < ticks && tick()) {
     contacts += run.world().contacts().size();
     most = std::max(most, run.world().contacts().size());
   }
   const double wall = 1e-9 * static_cast<double>(monotonic_ns() - begun);
   const double simulated = opened.model.period() * static_cast<double>(run.ticks());
   if (!(simulated > 0.0)) return;
-  const double physics = run.physics_seconds();
-  std::printf("time         %.2f ms per simulated second: physics %.2f (%.0f %%), sensors, controller, "
-              "guard and messages the rest\n",
-              1e3 * wall / simulated, 1e3 * physics / simulated, 1e2 * physics / wall);
+  std::printf("time         %.2f ms per simulated second\n%s", 1e3 * wall / simulated, parts_of_time(clock, simulated).c_str());
   std::printf("contacts     of the robot %.1f points in the mean, %zu at most\n",
               static_cast<double>(contacts) / static_cast<double>(run.ticks()), most);
   std::printf("doubts       %ld of the physics steps of that second\n", run.trust().doubted);

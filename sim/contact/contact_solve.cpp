@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "common/time/part_clock.h"
+
 namespace twinbus {
 
 namespace {
@@ -64,6 +66,7 @@ ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_conta
 }
 
 void ContactSolve::fold(Contacts& contacts, double h) noexcept {
+  const PartScope part("contacts, solved");
   PointForces forces;  // of contacts in a row that are of one link
   int system = -1, link = -1;
   const auto fold_in = [&] {
@@ -104,6 +107,7 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
 void ContactSolve::solve(Contacts& contacts, double h) noexcept {
   gave_up_ = false;
   if (contacts.empty()) return;
+  const PartScope part("contacts, solved");
   make_islands(contacts);
   for (std::size_t i = 0; i + 1 < starts_.size(); ++i) {
     members_ = order_.data() + starts_[i];

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/time/part_clock.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
@@ -301,6 +302,7 @@ bool ArticulatedWorld::touched(bool fixed) const noexcept {
 bool ArticulatedWorld::floats() const noexcept { return airborne_ && !touched(true); }
 
 void ArticulatedWorld::find_contacts(double h) noexcept {
+  const PartScope part("contacts, found");
   ground_.find(body_, h, contacts_);
   ties_.find(loose_.systems(), h, contacts_);
   if (!loose_.empty()) loose_.find(h, contacts_);
