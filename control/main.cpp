@@ -23,7 +23,8 @@ namespace {
 // FIFO, above the sources': its tick is the shortest, and a standby's long one must not delay it.
 constexpr int kPriority = 75;
 constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
-constexpr std::int64_t kQuietNs = 1'000'000'000;  // between two events of the same sentence
+constexpr std::int64_t kQuietNs = 1'000'000'000;     // between two events of the same sentence
+constexpr std::int64_t kQuietOfPathNs = 50'000'000;  // the same, where it answers a path
 constexpr std::int64_t kStoppedEvery = 10;        // a stop is published that often [ticks]
 constexpr std::int64_t kFootstepsEvery = 25;      // [ticks]
 constexpr int kMostCaughtUp = 8;                  // states answered late in a row
@@ -212,8 +213,8 @@ class Controller : RobotProcess {
 
   void tell(const char* sentence, bool of_path) {
     const std::int64_t now = monotonic_ns();
-    // Of each path that is not followed somebody waits to hear it.
-    if (!of_path && sentence == last_sentence_ && now - told_ns_ < kQuietNs) return;
+    // Of each path that is not followed somebody waits to hear it; nobody sends goals at the rate of a loop.
+    if (sentence == last_sentence_ && now - told_ns_ < (of_path ? kQuietOfPathNs : kQuietNs)) return;
     last_sentence_ = sentence;
     told_ns_ = now;
     node_.tell(1, sentence, state_.run_id, state_.tick, of_path ? kArmPathRefused : 0);

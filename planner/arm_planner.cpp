@@ -207,10 +207,15 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
   }
   // Then with patience, and as near as a goal may be: first by proofs, which are quick, then by distances, which are exact.
   Effort patient{.clearance = std::min(config_.clearance, config_.least_clearance), .rounds = kLongPatience * config_.rrt_rounds};
+  const ArmPlan heavy = plan.heavy == ArmPlan::Heavy::kOnTheWay ? plan : ArmPlan{};
   for (bool again = true; again && no_way(plan); patient.exact = true) {
     plan = attempt(goal, start, ground_in_world, seed, patient, keep_on, user);
     plan.checks = checks += plan.checks;
     again = !patient.exact;
+  }
+  if (plan.status == ArmPathStatus::kTimeLimit && heavy.heavy != ArmPlan::Heavy::kNo) {  // the joint says more than "no way"
+    plan = heavy;
+    plan.checks = checks;
   }
   collision_.set_obstacles(obstacles_);
   if (plan.status == ArmPathStatus::kStartInCollision || plan.status == ArmPathStatus::kGoalInCollision)

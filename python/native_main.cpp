@@ -197,11 +197,14 @@ using BoxOrBall = std::tuple<int, std::array<double, 3>, std::array<double, 3>, 
 
 Obstacle obstacle_of(const BoxOrBall& said) {
   const auto& [shape, size, position, attitude] = said;
+  const Eigen::Quaterniond turn(attitude[0], attitude[1], attitude[2], attitude[3]);
+  if (!(turn.norm() > 1e-6 && turn.norm() < 1e6)) throw nb::value_error("attitude of an obstacle: a quaternion w x y z, not of length zero");
+  if (shape < 1 || shape > 3) throw nb::value_error("shape of an obstacle: 1 box, 2 sphere, 3 cylinder");
   Obstacle obstacle;
   obstacle.shape = static_cast<ObstacleShape>(shape);
   obstacle.size = vector_of(size);
   obstacle.pose.translation() = vector_of(position);
-  obstacle.pose.linear() = Eigen::Quaterniond(attitude[0], attitude[1], attitude[2], attitude[3]).normalized().toRotationMatrix();
+  obstacle.pose.linear() = turn.normalized().toRotationMatrix();
   return obstacle;
 }
 

@@ -40,6 +40,7 @@ constexpr double kAskAgain = 0.2;      // [s]
 constexpr double kPlanTimeout = 15.0;  // [s]
 constexpr double kWords = 0.3;         // [s] until the planner has said why
 constexpr double kFarthest = 10.0;     // [m]
+constexpr double kUnit = 1e-3;         // the length of a quaternion differs from 1 by less
 
 // What one `reach` hears of the stack.
 class Watcher {
@@ -145,9 +146,11 @@ class Watcher {
     if (estimate.run_id != run_id()) return;
     const auto& p = estimate.base_position;
     const auto& a = estimate.base_attitude;
+    const Eigen::Quaterniond turn(a[0], a[1], a[2], a[3]);
+    if (!(std::abs(turn.norm() - 1.0) < kUnit)) return;
     Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
     base.translation() << p[0], p[1], p[2];
-    base.linear() = Eigen::Quaterniond(a[0], a[1], a[2], a[3]).normalized().toRotationMatrix();
+    base.linear() = turn.normalized().toRotationMatrix();
     if (base.matrix().allFinite()) base_in_world_ = base;
   }
 

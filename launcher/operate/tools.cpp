@@ -88,6 +88,7 @@ constexpr BenchRow kBenches[] = {
     {"guard and planner", "guard", "a tick of the guard beside FCL"},
     {"guard and planner", "guard_soft", "arms of soft servos swung into the robot: how many the guard brakes before they touch"},
     {"guard and planner", "guard_drive", "random motions into self-collision"},
+    {"guard and planner", "guard_log", "what a guard would have said of a recorded run, and how near the two then came"},
     {"guard and planner", "guard_walk", "what watching all pairs costs while it walks"},
     {"guard and planner", "collision", "the exact check beside FCL, every verdict compared"},
     {"guard and planner", "distance", "distances of hulls and meshes beside FCL"},

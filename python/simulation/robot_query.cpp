@@ -111,7 +111,9 @@ std::vector<RobotQuery::Near> RobotQuery::nearest(const std::vector<double>& q, 
 ArmSide RobotQuery::side(const std::string& hand) const {
   if (hand != "left" && hand != "right") throw std::invalid_argument("hand: left or right, not '" + hand + "'");
   const ArmSide side = hand == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  if (model_->hands[side == ArmSide::kLeft ? 0 : 1].link < 0) throw std::invalid_argument("the robot has no " + hand + " hand");
+  const Hand& there = model_->hands[side == ArmSide::kLeft ? 0 : 1];
+  if (there.link < 0) throw std::invalid_argument("the robot has no " + hand + " hand");
+  if (there.joints.empty()) throw std::invalid_argument("no joint moves the " + hand + " hand");
   return side;
 }
 

@@ -102,7 +102,7 @@ void InertialLegOdometry::update(const RobotState& state) noexcept {
     const Eigen::Vector3d felt = imu_valid_ ? Eigen::Vector3d(imu_in_base_ * felt_)
                                             : Eigen::Vector3d(kGravity * base_.row(2).transpose());
     feet_.update(state, kinematics_, base_, felt, started_ && !resumed_ ? dt : 1.0);  // the first reading is believed
-    look_at_feet(dt, imu_valid_ && had_imu && started_ && !resumed_ && !other && dt < kFollows * model_->period());
+    look_at_feet(dt, imu_valid_ && had_imu && started_ && !missing && !resumed_ && !other && dt < kFollows * model_->period());
     correct(dt);
     move(started_ && !missing ? dt : 0.0);
   }

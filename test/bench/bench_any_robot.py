@@ -116,6 +116,7 @@ class Robot:
             noise = [w for key, value in NOISE.items() for w in ("--set", f"sensor.noise.{key}={value}")]
             done = self.twinbus("run", scene, "--robot", self.folder, "--seed", seed, "--report", file.name, *noise)
             failed = [line[8:] for line in done.stdout.splitlines() if line.startswith("FAILED: ")]
+            self.report = {}
             try:
                 self.report = json.load(open(file.name))
                 self.tilt = max(self.tilt, self.report["max_tilt_deg"])

@@ -38,6 +38,13 @@ modes:
 """
 
 
+def changed(text, old, new):
+    """With `old` replaced once; a text without it would be judged as another."""
+    if text.count(old) != 1:
+        sys.exit(f"bench quadruped: {old!r} stands {text.count(old)} times in a text that should have it once")
+    return text.replace(old, new)
+
+
 class Quadruped(Robot):
     def propose(self):
         super().propose()
@@ -57,13 +64,13 @@ class Quadruped(Robot):
         if not folder.exists():
             shutil.copytree(walks, folder)
             said = (folder / "robot.yaml").read_text()
-            (folder / "robot.yaml").write_text(said.replace("walking: {", "walking: {gait: crawl, "))
+            (folder / "robot.yaml").write_text(changed(said, "walking: {", "walking: {gait: crawl, "))
         self.folder = folder
         try:
             failed = self.run(self.scene("crawl", text, scratch), seed)
         finally:
             self.folder = walks
-        self.margin = min(self.margin, self.report.get("zmp_margin_min_mm", 0.0))
+        self.margin = min(self.margin, self.report.get("zmp_margin_min_mm") or 0.0)
         return failed
 
     def rows(self, seeds, scratch):
@@ -80,7 +87,7 @@ class Quadruped(Robot):
                     text = walk_scene(64, 60, min(SPEED, self.speed), 6, 10)
                 elif what == "crawl":
                     text = walk_scene(36, 30, CRAWL * math.sqrt(G * self.leg), 3, 10)
-                    text = text.replace("criteria: {", f"criteria: {{zmp_margin_min_mm: {MARGIN}, ")
+                    text = changed(text, "criteria: {", f"criteria: {{zmp_margin_min_mm: {MARGIN}, ")
                 failed = self.crawled(text, seed, scratch) if what == "crawl" else self.run(self.scene(what, text, scratch), seed)
                 passed += not failed
                 self.causes += [f"{what}: {cause}" for cause in failed]

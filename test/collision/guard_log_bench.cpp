@@ -104,8 +104,10 @@ int main(int argc, char** argv) try {
       if (collision.pair_nearer_than(kinematics, occasion.cause.link_a, occasion.cause.link_b, kAnywhere, pair))
         least = std::min(least, pair.distance);
     }
-    const bool apart = !(least < occasion.cause.margin);
-    std::printf("; they came to %.1f mm%s\n", 1e3 * least, occasion.stop && apart ? ": FALSE" : "");
+    const bool unknown = occasion.cause.link_a < 0 || occasion.tick + ahead > run.states.size();  // no pair, or the log ends before
+    const bool apart = !unknown && !(least < occasion.cause.margin);
+    if (unknown) std::printf("; how near they came is not known\n");
+    else std::printf("; they came to %.1f mm%s\n", 1e3 * least, occasion.stop && apart ? ": FALSE" : "");
     stops += occasion.stop ? 1 : 0;
     false_stops += occasion.stop && apart ? 1 : 0;
   }

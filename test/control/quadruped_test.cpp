@@ -274,9 +274,8 @@ double tilt_of(const SimTruth& truth) {
   return std::acos(std::clamp(1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]), -1.0, 1.0));
 }
 
-// To the other engine, where the robot is heavier and the ground softer, and back: standing, then in phases of the trot.
-TEST(Quadruped, GoesOnWhileAnotherSimulatorTakesOver) {
-  const Model model = load_robot("quad12");
+// To the other engine, where the robot is heavier and the ground softer, and back: standing, then in phases of the gait.
+void goes_on_while_another_simulator_takes_over(const Model& model, double walked) {
   TwoSources rig(model, flat(), {}, std::make_unique<SimAdaptor>(flat()),
                  {{{"engine", "ode"}, {"model.mass_scale", "1.03"}, {"contact.stiffness_scale", "0.8"}}});
   double worst = 0.0;
@@ -302,16 +301,23 @@ TEST(Quadruped, GoesOnWhileAnotherSimulatorTakesOver) {
   EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
   EXPECT_LT(worst, 0.05) << "standing";
   rig.ask(Mode::kWalk);
-  run(1.5, 0.5);
+  run(1.5, walked);
   for (int i = 0; i < 8; ++i) {
-    run(0.05 * i, 0.5);
-    change(0.5);
+    run(0.05 * i, walked);
+    change(walked);
   }
   EXPECT_EQ(switches, 12);
   EXPECT_EQ(rig.loop().status().mode, Mode::kWalk);
-  EXPECT_LT(worst, 0.2) << "trotting";
+  EXPECT_LT(worst, 0.2) << "at " << walked << " m/s";
   EXPECT_EQ(rig.unanswered(), 0);
 }
+
+TEST(Quadruped, TrotsOnWhileAnotherSimulatorTakesOver) {
+  goes_on_while_another_simulator_takes_over(test::four_legged(1.0), 0.5);
+  goes_on_while_another_simulator_takes_over(load_robot("quad12"), 0.5);
+}
+
+TEST(Quadruped, CrawlsOnWhileAnotherSimulatorTakesOver) { goes_on_while_another_simulator_takes_over(load_robot("quad12"), 0.1); }
 
 TEST(TwoPointFeet, AreFoundAndAreNoSoles) {
   const Model& model = test::point_legged(1.0, 2);
