@@ -10,6 +10,8 @@
 
 #include "common/process/process.h"
 #include "common/text/formatted.h"
+#include "common/text/printable.h"
+#include "control/gamepad_requests_main.h"
 #include "control/teleop/hand_target.h"
 #include "control/teleop/joint_target.h"
 #include "control/teleop/teleop.h"
@@ -73,13 +75,20 @@ class GamepadArm {
     target_.stop();
     joint_.stop();
   }
-  void choose_joint(int step) {
-    joint_.choose(step);
-    joint_shown_ = true;
+  // What was asked for besides the axes.  Another mode ends a jog, and says itself what becomes of the joint.
+  void on_action(TeleopAction action) {
+    if (action == TeleopAction::kCentre) stop();
+    if (action == TeleopAction::kNextJoint) choose_joint(1);
+    if (action == TeleopAction::kPreviousJoint) choose_joint(-1);
+    if (ModeRequest mode; to_mode_request(action, mode)) {
+      target_.stop();
+      joint_.drop();
+    }
   }
-  // A pose to ask the controller for, all but its addressing; false when there is none.
-  bool next_pose(std::int64_t now_ns, const RobotState& state, ModeRequest& pose) {
-    return known_ && state.stop_kind == StopKind::kNone && joint_.next(now_ns, state, pose);
+  // Of the joint, behind a mode that the operator asks for.
+  void ask_for_pose(std::int64_t now_ns, const RobotState& state, Requests& requests) {
+    if (!known_ || state.stop_kind != StopKind::kNone || requests.says_mode()) return;
+    if (ModeRequest pose; joint_.next(now_ns, state, mode_, pose)) requests.start_pose(pose, state.run_id);
   }
   // Why what was asked for is not done, once; empty when there is nothing new.
   std::string take_sentence() {
@@ -118,6 +127,10 @@ class GamepadArm {
 
   static constexpr double kAnswers = 2.0;     // [s] after a wish, what others tell is of it
 
+  void choose_joint(int step) {
+    joint_.choose(step);
+    joint_shown_ = true;
+  }
   bool asked() const { return asked_ns_ != 0 && seconds_since(asked_ns_) < kAnswers; }
   std::string why_no_way() const {
     if (target_.unanswered()) return "no planner answers";
@@ -132,7 +145,7 @@ class GamepadArm {
   void hear_event(const Event& event) {
     const bool answers = event.kind == ProcessKind::kController || event.kind == ProcessKind::kGuard;
     if (!asked() || !answers) return;
-    sentence_.assign(event.text.data(), strnlen(event.text.data(), event.text.size()));
+    sentence_ = printable({event.text.data(), strnlen(event.text.data(), event.text.size())});
   }
   // Once when the guard begins to hold joints.
   void hear_guard(const GuardReport& report) {

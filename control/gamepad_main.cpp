@@ -17,11 +17,11 @@
 #include "common/process/process.h"
 #include "common/text/formatted.h"
 #include "control/gamepad_arm_main.h"
+#include "control/gamepad_requests_main.h"
 #include "control/teleop/raw_terminal.h"
 #include "control/teleop/sdl_pad.h"
 #include "control/teleop/teleop.h"
 #include "lcmtypes/bus/node.h"
-#include "lcmtypes/bus/outgoing.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "robot/description/load.h"
 
@@ -101,39 +101,6 @@ class PadScript {
   }
 
   std::string line_;
-};
-
-// What is sent besides GAMEPAD, again and again under the same sequence number until it cannot have
-// been missed.
-class Requests {
- public:
-  explicit Requests(std::int64_t sender_id) { stop_.message.sender_id = mode_.message.sender_id = sender_id; }
-
-  void start(TeleopAction action, const RobotState& state) {
-    ModeRequest mode;
-    if (action == TeleopAction::kStop) {
-      stop_.start({.kind = StopKind::kBalanced, .reason = StopReason::kGamepad});
-    } else if (action == TeleopAction::kClear) {
-      stop_.start({.stop_nonce = state.stop_nonce, .reason = StopReason::kGamepad});
-    } else if (to_mode_request(action, mode)) {
-      mode.run_id = state.run_id;
-      mode_.start(mode);
-    }
-  }
-
-  void start(ModeRequest mode, std::int64_t run_id) {
-    mode.run_id = run_id;
-    mode_.start(mode);
-  }
-
-  void send(Bus& bus) {
-    stop_.send(bus, channel::kStop);
-    mode_.send(bus, channel::kModeRequest);
-  }
-
- private:
-  Outgoing<StopRequest> stop_;
-  Outgoing<ModeRequest> mode_;
 };
 
 // One line that is written over, on a terminal only.
@@ -291,9 +258,7 @@ void run(const Arguments& options) {
     }
     for (TeleopAction action; (action = teleop.take_action()) != TeleopAction::kNone;) {
       if (action == TeleopAction::kQuit) leaving = true;
-      if (action == TeleopAction::kCentre) arm.stop();
-      if (action == TeleopAction::kNextJoint) arm.choose_joint(1);
-      if (action == TeleopAction::kPreviousJoint) arm.choose_joint(-1);
+      arm.on_action(action);
       requests.start(action, state);
     }
     if (leaving) {
@@ -306,7 +271,7 @@ void run(const Arguments& options) {
     requests.send(bus);
     arm.update(state, fresh, teleop);
     arm.send(bus, state, utime, monotonic_ns());
-    if (ModeRequest pose; arm.next_pose(monotonic_ns(), state, pose)) requests.start(pose, state.run_id);
+    arm.ask_for_pose(monotonic_ns(), state, requests);
     if (const std::string why = arm.take_sentence(); !why.empty()) {
       print_typed(stdout, "%s%s\n", show_line ? "\r\x1b[K" : "", why.c_str());
       std::fflush(stdout);

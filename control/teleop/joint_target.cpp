@@ -16,6 +16,14 @@ constexpr double kShortest = 0.2;                                          // [s
 constexpr double kNear = 1e-4;                     // a wish no further than this asks for nothing [rad or m]
 constexpr std::int64_t kAgainNs = 100'000'000;     // from one pose to the next
 constexpr std::int64_t kFreshNs = 1'000'000'000;   // then a wish begins anew where the joint is
+
+// Why a joint is not jogged in this mode, which a pose would end; null where it is.
+const char* why_not(Mode mode) {
+  return mode == Mode::kWalk   ? "stands first: it walks"
+         : mode == Mode::kIdle ? "is let go: ask for hold first"
+         : mode == Mode::kStop ? "waits: the robot is stopped"
+                               : nullptr;
+}
 }  // namespace
 
 JointTarget::JointTarget(const Model& model) : model_(&model) {
@@ -49,9 +57,7 @@ void JointTarget::choose(int step) noexcept {
 
 void JointTarget::move(double seconds, const RobotState& state, Mode mode) noexcept {
   if (!std::isfinite(seconds) || seconds == 0.0 || chosen_ >= state.joint_count) return;
-  refusal_ = mode == Mode::kWalk   ? "stands first: it walks"
-             : mode == Mode::kIdle ? "is let go: ask for hold first"
-                                   : nullptr;
+  refusal_ = why_not(mode);
   if (refusal_ != nullptr) return;
   const double q = state.q[static_cast<std::size_t>(chosen_)];
   if (!std::isfinite(q)) return;
@@ -71,8 +77,9 @@ void JointTarget::stop() noexcept {
   begun_ = false;
 }
 
-bool JointTarget::next(std::int64_t now_ns, const RobotState& state, ModeRequest& request) noexcept {
+bool JointTarget::next(std::int64_t now_ns, const RobotState& state, Mode mode, ModeRequest& request) noexcept {
   now_ns_ = now_ns;
+  if (why_not(mode) != nullptr) drop();
   const auto k = static_cast<std::size_t>(chosen_);
   const bool halt = std::exchange(halt_, false) && now_ns - asked_ns_ < kFreshNs;
   if (halt) {

@@ -25,9 +25,11 @@ class JointTarget {
   void move(double seconds, const RobotState& state, Mode mode) noexcept;
   // Whoever let go, or asked for it: the joint stops where it is.
   void stop() noexcept;
+  // Another mode is asked for: what was wished is forgotten and nothing more is sent, not even to stop.
+  void drop() noexcept { begun_ = halt_ = false; }
 
-  // What to ask for now, if anything; all but its addressing.
-  [[nodiscard]] bool next(std::int64_t now_ns, const RobotState& state, ModeRequest& request) noexcept;
+  // What to ask for now, if anything; all but its addressing.  Nothing in a mode that a pose would end, which drops a wish.
+  [[nodiscard]] bool next(std::int64_t now_ns, const RobotState& state, Mode mode, ModeRequest& request) noexcept;
 
   // Of the joint that is chosen: [rad/s or m/s].
   double speed() const noexcept;

@@ -237,9 +237,9 @@ void Teleop::on_pad(const PadInput& input) noexcept {
   gamepad_.deadman = armed_;
   zero_axes(gamepad_);
   if (!armed_) return;
-  if ((input.buttons & kHandButton) != 0) return move_arm(input);
   centre_first_ = centre_first_ && !centred(input);
   if (centre_first_) return;
+  if ((input.buttons & kHandButton) != 0) return move_arm(input);
   for (const AxisRow& row : kAxes) {
     gamepad_.*row.field = stick_value(input.axes[row.axis], row.sign);
   }
@@ -321,15 +321,12 @@ void Teleop::act(TeleopAction action) noexcept {
     stop_latched_ = false;
     release();
   }
-  if (action == TeleopAction::kCentre) {
+  if (action == TeleopAction::kCentre || changes_mode(action)) {
     zero_axes(gamepad_);
     hand_move_ = {};
     joint_move_ = 0.0;
   }
-  if (changes_mode(action)) {
-    zero_axes(gamepad_);
-    centre_first_ = true;
-  }
+  if (changes_mode(action)) centre_first_ = true;
   if (action == TeleopAction::kOtherHand)
     hand_ = hand_ == ArmSide::kLeft ? ArmSide::kRight : ArmSide::kLeft;
   if (action == TeleopAction::kLeftHand) hand_ = ArmSide::kLeft;

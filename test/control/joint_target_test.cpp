@@ -20,6 +20,7 @@ class JointJog : public ::testing::Test {
   }
   const Joint& joint() const { return model_.joints[at(model_.bus_joints[at(target_.chosen())])]; }
   static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  bool next(std::int64_t now_ns, Mode mode = Mode::kHold) { return target_.next(now_ns, state_, mode, pose_); }
   double& q() { return state_.q[at(target_.chosen())]; }
 
   Model model_;
@@ -46,7 +47,7 @@ TEST_F(JointJog, AHeldKeyMovesTheJointAtABoundedSpeed) {
   double fastest = 0.0, middle = 0.0;
   for (std::int64_t ms = 0; ms < 4000; ms += 2) {
     if (ms % 34 == 0 && ms < 2000) target_.move(0.1, state_, Mode::kPose);
-    if (target_.next(ms * kMs, state_, pose_)) {
+    if (next(ms * kMs)) {
       EXPECT_EQ(pose_.mode, Mode::kPose);
       EXPECT_EQ(pose_.joint_mask, std::int64_t{1} << target_.chosen());
       posture.move(pose_.q, pose_.joint_mask, static_cast<double>(pose_.duration));
@@ -65,7 +66,7 @@ TEST_F(JointJog, AHeldKeyMovesTheJointAtABoundedSpeed) {
 TEST_F(JointJog, StopsAtItsLimitAndSaysSo) {
   q() = joint().upper - 0.01;
   for (int i = 0; i < 20; ++i) target_.move(0.1, state_, Mode::kHold);
-  ASSERT_TRUE(target_.next(kMs * 1000, state_, pose_));
+  ASSERT_TRUE(next(kMs * 1000));
   EXPECT_EQ(pose_.q[at(target_.chosen())], joint().upper);
   EXPECT_NE(target_.words(state_).find("is at its upper limit"), std::string::npos);
   target_.move(-0.1, state_, Mode::kHold);
@@ -75,29 +76,61 @@ TEST_F(JointJog, StopsAtItsLimitAndSaysSo) {
 TEST_F(JointJog, StopsWhereItIsWhenLetGo) {
   q() = 0.1;
   for (int i = 0; i < 5; ++i) target_.move(0.1, state_, Mode::kHold);
-  ASSERT_TRUE(target_.next(kMs * 1000, state_, pose_));
+  ASSERT_TRUE(next(kMs * 1000));
   q() = 0.12;
   target_.stop();
-  ASSERT_TRUE(target_.next(kMs * 1010, state_, pose_));
+  ASSERT_TRUE(next(kMs * 1010));
   EXPECT_EQ(pose_.q[at(target_.chosen())], 0.12);
-  EXPECT_FALSE(target_.next(kMs * 1020, state_, pose_)) << "once";
+  EXPECT_FALSE(next(kMs * 1020)) << "once";
   target_.stop();
-  EXPECT_FALSE(target_.next(kMs * 1030, state_, pose_)) << "nothing to stop";
+  EXPECT_FALSE(next(kMs * 1030)) << "nothing to stop";
+}
+
+TEST_F(JointJog, SendsNothingMoreInAModeThatAPoseWouldEnd) {
+  std::int64_t ms = 1000;
+  for (const Mode mode : {Mode::kIdle, Mode::kWalk, Mode::kStop}) {
+    const auto jogged = [&] {
+      target_.move(0.1, state_, Mode::kHold);
+      const bool asked = next(kMs * (ms += 200));
+      target_.move(0.1, state_, Mode::kHold);
+      return asked;
+    };
+    ASSERT_TRUE(jogged());
+    target_.stop();
+    EXPECT_FALSE(next(kMs * (ms += 10), mode)) << "let go in it";
+    EXPECT_FALSE(next(kMs * (ms += 10))) << "nor after it";
+    ASSERT_TRUE(jogged());
+    EXPECT_FALSE(next(kMs * (ms += 200), mode)) << "held on in it";
+    target_.stop();
+    EXPECT_FALSE(next(kMs * (ms += 10))) << "the wish is gone";
+  }
+}
+
+TEST_F(JointJog, DroppedItAsksForNothingNotEvenToStop) {
+  target_.move(0.1, state_, Mode::kHold);
+  ASSERT_TRUE(next(kMs * 1000));
+  target_.move(0.1, state_, Mode::kHold);
+  target_.drop();
+  EXPECT_FALSE(next(kMs * 1200));
+  target_.stop();
+  EXPECT_FALSE(next(kMs * 1210));
+  target_.move(0.1, state_, Mode::kHold);
+  EXPECT_TRUE(next(kMs * 1220)) << "what is wished from then on is";
 }
 
 TEST_F(JointJog, DoesNothingWhileTheRobotWalksOrIsLetGoAndWithNonsense) {
-  for (const Mode mode : {Mode::kWalk, Mode::kIdle}) {
+  for (const Mode mode : {Mode::kWalk, Mode::kIdle, Mode::kStop}) {
     target_.move(0.1, state_, mode);
-    EXPECT_FALSE(target_.next(kMs * 1000, state_, pose_));
+    EXPECT_FALSE(next(kMs * 1000, mode));
     EXPECT_NE(target_.words(state_), joint().name + " 0.000 rad");
   }
   for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), 0.0}) {
     target_.move(wrong, state_, Mode::kHold);
-    EXPECT_FALSE(target_.next(kMs * 2000, state_, pose_));
+    EXPECT_FALSE(next(kMs * 2000));
   }
   q() = std::nan("");
   target_.move(0.1, state_, Mode::kHold);
-  EXPECT_FALSE(target_.next(kMs * 3000, state_, pose_));
+  EXPECT_FALSE(next(kMs * 3000));
 }
 
 }  // namespace

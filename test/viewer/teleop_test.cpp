@@ -356,6 +356,44 @@ TEST(Teleop, CapitalsTurnAHandAndSignsMoveAJoint) {
   EXPECT_EQ(teleop.take_hand_move().turn[0], 0.0);
 }
 
+TEST(Keyboard, AnotherModeForgetsHowAHandOrJointWasToMove) {
+  for (const int key : {'1', '2', '3', '4', '5'}) {
+    Teleop teleop(7, true);
+    for (const char moves : {'W', 'O', '+'}) teleop.on_key(moves, 0);
+    teleop.on_key(key, 0);
+    const HandMove move = teleop.take_hand_move();
+    EXPECT_EQ(move.by, (std::array<double, 3>{})) << key;
+    EXPECT_EQ(move.turn, (std::array<double, 3>{}));
+    EXPECT_EQ(teleop.take_joint_move(), 0.0);
+    teleop.on_key('+', 0);
+    EXPECT_NEAR(teleop.take_joint_move(), 0.1, 1e-12);
+  }
+}
+
+TEST(Teleop, InAnotherModeTheSticksMoveAHandOrJointOnceCentred) {
+  for (const std::int16_t trigger : {std::int16_t{0}, std::int16_t{32767}}) {
+    Teleop teleop = armed();
+    PadInput input = held();
+    input.buttons |= kPadRightShoulder;
+    input.axes = {0, 0, 0, -32767, 0, trigger};
+    const auto moved = [&] { return teleop.take_joint_move() + teleop.take_hand_move().by[2]; };
+    teleop.on_pad(input);
+    ASSERT_GT(moved(), 0.0);
+    teleop.on_pad(input);
+    input.buttons |= kPadUp;
+    for (int cycle = 0; cycle < 3; ++cycle) teleop.on_pad(input);
+    EXPECT_EQ(teleop.take_action(), TeleopAction::kWalk);
+    input.buttons &= ~kPadUp;
+    for (int cycle = 0; cycle < 3; ++cycle) teleop.on_pad(input);
+    EXPECT_EQ(moved(), 0.0) << trigger;
+    input.axes[3] = 0;
+    teleop.on_pad(input);
+    input.axes[3] = -32767;
+    teleop.on_pad(input);
+    EXPECT_GT(moved(), 0.0);
+  }
+}
+
 TEST(Teleop, WithATriggerTheSticksTurnTheHandOrMoveAJoint) {
   Teleop teleop = armed();
   PadInput input = held();
