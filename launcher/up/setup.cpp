@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "common/text/json_depth.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/up/robot_copy.h"
 #include "launcher/stack/run_folder.h"
@@ -29,6 +30,8 @@ using Pairs = std::vector<std::array<std::string, 2>>;
 constexpr std::size_t kMostPushes = 100;
 constexpr std::size_t kMostPairs = 5000;
 constexpr double kLargestImpulse = 1000.0;  // [N s]
+constexpr int kDeepest = 8;                 // brackets within each other
+constexpr std::uint64_t kLargestSave = std::uint64_t{1} << 53;  // what a page counts to
 
 [[noreturn]] void refuse(const std::string& why) { throw std::runtime_error(why); }
 
@@ -127,6 +130,7 @@ std::string scene_text(const Json& wish, const Model& model, const std::string& 
 }
 
 Json parsed(const std::string& wish) {
+  if (nests_deeper(wish, kDeepest)) refuse("a setup is at most " + std::to_string(kDeepest) + " brackets deep");
   Json json = Json::parse(wish, nullptr, false);
   if (!json.is_object()) refuse("a setup is a JSON object");
   return json;
@@ -149,13 +153,13 @@ std::string folder_name(const Model& model) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
   }
-  return name;
+  return name == "saved" || name == "answer" ? name + '_' : name;  // these lie beside it
 }
 
 // Files that are written beside those of an earlier wish, and take their places when they are good.
 class Draft {
  public:
-  explicit Draft(const std::string& folder) : folder_(folder), draft_(folder_ / "draft") {
+  explicit Draft(const std::string& folder) : folder_(folder), draft_(folder_ / ".draft") {
     fs::remove_all(draft_);
     fs::create_directories(draft_);
   }
@@ -229,16 +233,22 @@ Setup save_robot(const std::string& wish_text, const std::string& robot, const s
   const Json wish = parsed(wish_text);
   const std::string from = robot_folder(robot);
   const Model model = load_robot(from);
-  Draft draft(folder);
-  const Model changed = written_robot(from, draft.file(folder_name(model)), model, robot_change(wish, model));
+  const RobotChange change = robot_change(wish, model);
+  Draft draft(folder + "/saved");  // processes that run may have been started with the folder of write_setup()
+  const Model changed = written_robot(from, draft.file(folder_name(model)), model, change);
   return {.scene = {}, .robot = draft.keep(folder_name(model)), .engine = {}, .model_hash = changed.hash};
 }
 
+bool only_saves(const std::string& wish_text) {
+  return Json::parse(wish_text, nullptr, false).contains("save");  // what is no object contains nothing
+}
+
 std::int64_t save_number(const std::string& wish_text) {
-  const Json wish = Json::parse(wish_text, nullptr, false);
-  if (!wish.is_object()) return -1;
+  const Json wish = parsed(wish_text);
   const auto save = wish.find("save");
-  return save != wish.end() && save->is_number_unsigned() ? save->get<std::int64_t>() : -1;
+  if (save == wish.end() || !save->is_number_unsigned() || save->get<std::uint64_t>() > kLargestSave)
+    refuse("save must be a whole number from 0 to 2^53");
+  return save->get<std::int64_t>();
 }
 
 }  // namespace twinbus

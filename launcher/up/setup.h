@@ -10,7 +10,7 @@
 //    "unchecked": [["A", "B"], ...], "limbs": {see robot_copy.h}, "save": 7}
 //
 // Every key but scene may be left out; unchecked: all of them.  save: only the robot's folder is written, and nothing starts anew;
-// its number stands in the answer.
+// its number, a whole one from 0 to 2^53, stands in the answer.  More than 8 brackets within each other are refused.
 
 #pragma once
 
@@ -30,10 +30,14 @@ struct Setup {
 // std::runtime_error with one sentence that says what is wrong; the files of an earlier wish are then as they were.
 Setup write_setup(const std::string& wish, const std::string& robot, const std::string& folder);
 
-// The robot's folder of the wish alone; what it gives and throws as write_setup(), without scene and engine.
+// The robot's folder of the wish alone, folder/saved/NAME, which no process has been started with; what it gives and throws as
+// write_setup(), without scene and engine.
 Setup save_robot(const std::string& wish, const std::string& robot, const std::string& folder);
 
-// The number of a wish that only saves the robot; -1 of another one.
+// Whether it is a wish that only saves the robot, if with a wrong number.
+bool only_saves(const std::string& wish);
+
+// The number of such a wish.  Throws std::runtime_error where it is none.
 std::int64_t save_number(const std::string& wish);
 
 }  // namespace twinbus

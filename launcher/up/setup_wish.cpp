@@ -32,6 +32,17 @@ bool concerns(const StackProcess& process, bool other_robot) {
   return std::find(kPrograms.begin(), kPrograms.end(), process.program) != kPrograms.end();
 }
 
+// The sentence; where its files cannot be written, as on a full disk, it says that too: what runs goes on.
+template <class Write>
+std::string answered(const std::string& sentence, const Write& write) {
+  try {
+    write();
+  } catch (const std::exception& error) {
+    return sentence + "; the page is not told: " + error.what();
+  }
+  return sentence;
+}
+
 }  // namespace
 
 SetupWishes::SetupWishes(const std::string& folder, Setup now)
@@ -72,13 +83,12 @@ Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, co
 }
 
 std::string SetupWishes::save(const std::string& wish, const std::string& robot, bool& saved) {
-  nlohmann::json answer = {{"save", save_number(wish)}};
+  nlohmann::json answer = {{"save", nullptr}};
   std::string sentence;
   saved = false;
   try {
+    answer["save"] = save_number(wish);
     const Setup written = save_robot(wish, robot, folder_);
-    now_.robot = written.robot;
-    now_.model_hash = written.model_hash;
     keep_changes(wish);
     saved = true;
     sentence = "robot saved as " + written.robot;
@@ -89,9 +99,10 @@ std::string SetupWishes::save(const std::string& wish, const std::string& robot,
   answer["ok"] = saved;
   answer["text"] = sentence;
   const auto replace = nlohmann::json::error_handler_t::replace;
-  write_file(folder_ + "/saved.json.new", answer.dump(-1, ' ', true, replace));
-  fs::rename(folder_ + "/saved.json.new", folder_ + "/saved.json");  // whole at once
-  return sentence;
+  return answered(sentence, [&] {
+    write_file(folder_ + "/saved.json.new", answer.dump(-1, ' ', true, replace));
+    fs::rename(folder_ + "/saved.json.new", folder_ + "/saved.json");  // whole at once
+  });
 }
 
 // What of the robot is changed, for a page that is opened later.
@@ -106,12 +117,13 @@ void SetupWishes::keep_changes(const std::string& wish) const {
 
 std::string SetupWishes::answer(const std::string& wish, const std::string& problem) const {
   const bool again = wish == kAgain;
-  if (problem.empty() && !again) write_file(folder_ + "/now.json", wish);
   const std::string sentence = !problem.empty() ? "not set up: " + problem
                                : again          ? "the simulated world has begun anew"
                                                 : "set up as the page asked";
-  write_file(folder_ + "/answer", (problem.empty() ? "ok " : "no ") + sentence + "\n");
-  return sentence;
+  return answered(sentence, [&] {
+    if (problem.empty() && !again) write_file(folder_ + "/now.json", wish);
+    write_file(folder_ + "/answer", (problem.empty() ? "ok " : "no ") + sentence + "\n");
+  });
 }
 
 void fill_in(const Setup& setup, Placeholders& values) {

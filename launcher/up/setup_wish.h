@@ -28,11 +28,13 @@ class SetupWishes {
   Setup prepare(const std::string& wish, const std::string& robot, const Stack& stack,
                 const StackMonitor& seen);
 
-  // Of a wish that only saves the robot: writes it, and gives the sentence that answers, also in the file saved.json.  Begun anew as
-  // before, the robot is the saved one.  saved: whether it could be done.
+  // Of a wish that only saves the robot: writes it, and gives the sentence that answers, also in the file saved.json.  What runs,
+  // and what begins anew as before, stays as it is.  saved: whether it could be done.  Does not throw where a file cannot be
+  // written.
   std::string save(const std::string& wish, const std::string& robot, bool& saved);
 
-  // The sentence that answers, also in the file answer.  What holds now is kept in now.json, where the page finds it.
+  // The sentence that answers, also in the file answer.  What holds now is kept in now.json, where the page finds it.  Does
+  // not throw where they cannot be written: the sentence says so.
   std::string answer(const std::string& wish, const std::string& problem) const;
 
  private:

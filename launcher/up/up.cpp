@@ -315,7 +315,7 @@ void Up::wait_for_first_commands() {
 
 // As if it had been started so: the run begins anew, its log goes on.
 void Up::set_up(const std::string& wish) {
-  if (save_number(wish) >= 0) {
+  if (only_saves(wish)) {
     bool saved = false;
     const std::string said = wishes_->save(wish, request_.robot, saved);
     bus_->tell(said, saved ? 0 : 2);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "launcher/up/robot_copy.h"
+#include "launcher/up/setup_wish.h"
 #include "robot/description/load.h"
 #include "test/error_of.h"
 #include "test/temporary_folder.h"
@@ -40,7 +41,7 @@ TEST(Setup, SavedLimbsAreReadBackWhereTheyWerePut) {
   const Model before = load_robot("hrp2p");
   const auto setup = save_robot(kMoved, "hrp2p", folder.path());
   const Model after = load_robot(setup.robot);
-  EXPECT_EQ(fs::path(setup.robot).parent_path(), folder.path());
+  EXPECT_EQ(fs::path(setup.robot).parent_path(), folder.path() + "/saved");
   EXPECT_EQ(after.hash, setup.model_hash);
   EXPECT_NE(after.hash, before.hash);
   const Sole& sole = after.soles[0];
@@ -63,7 +64,93 @@ TEST(Setup, AStartWithMovedLimbsRunsThatRobot) {
   const auto setup = write_setup(kMoved, "hrp2p", folder.path());
   EXPECT_EQ(load_robot(setup.robot).soles[0].front, 0.11);
   EXPECT_EQ(setup.model_hash, load_robot(setup.robot).hash);
-  EXPECT_FALSE(fs::exists(folder.path() + "/draft"));
+  EXPECT_FALSE(fs::exists(folder.path() + "/.draft"));
+}
+
+const char* const kStarted = R"({"scene": "stand", "joints": {"LARM_ELBOW": -1}, "limbs": {"imu": {"at": [0, 0.02, 0]}}})";
+
+// A stack of a simulator that runs.
+Stack simulated_stack() {
+  StackProcess simulator;
+  simulator.name = "simulator";
+  simulator.program = "twinbus_simulator";
+  Stack stack;
+  stack.activate = simulator.name;
+  stack.processes.push_back(simulator);
+  return stack;
+}
+
+StackMonitor simulator_seen() {
+  RobotState state{};
+  state.source = SourceKind::kSimulator;
+  StackMonitor seen;
+  seen.on_state(state, false, 1);
+  return seen;
+}
+
+// The supervisor may start a process again with what it was started with: its robot and its pose are as they were.
+TEST(Setup, ASaveLeavesWhatRunsAndWhatBeginsAnewAsItIs) {
+  const TemporaryFolder folder;
+  SetupWishes wishes(folder.path(), {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0});
+  const auto started = wishes.prepare(kStarted, "hrp2p", simulated_stack(), simulator_seen());
+  const std::string written = text_of(started.robot + "/robot.yaml");
+  bool saved = false;
+  const std::string said = wishes.save(kMoved, "hrp2p", saved);
+  EXPECT_TRUE(saved) << said;
+  EXPECT_NE(said.find(folder.path() + "/saved/"), std::string::npos) << said;
+  EXPECT_EQ(text_of(started.robot + "/robot.yaml"), written);
+  EXPECT_EQ(load_robot(started.robot).hash, started.model_hash);
+  EXPECT_GE(load_robot(started.robot).find_pose(kPagePose), 0);
+  const auto again = wishes.prepare(R"({"again": true})", "hrp2p", simulated_stack(), simulator_seen());
+  EXPECT_EQ(again.robot, started.robot);
+  EXPECT_EQ(again.model_hash, started.model_hash);
+  // The next that starts does not touch what was saved.
+  wishes.prepare(kStarted, "hrp2p", simulated_stack(), simulator_seen());
+  EXPECT_EQ(load_robot(said.substr(said.find('/'))).soles[0].front, 0.11);
+}
+
+TEST(Setup, AnAnswerThatCannotBeWrittenIsToldAndEndsNothing) {
+  const TemporaryFolder folder;
+  SetupWishes wishes(folder.path(), {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0});
+  for (const char* name : {"/saved.json", "/answer"}) fs::create_directories(folder.path() + name + "/full");
+  bool saved = false;
+  std::string said = wishes.save(kMoved, "hrp2p", saved);
+  EXPECT_TRUE(saved);
+  EXPECT_NE(said.find("robot saved as"), std::string::npos) << said;
+  EXPECT_NE(said.find("the page is not told"), std::string::npos) << said;
+  said = wishes.answer(kStarted, "");
+  EXPECT_NE(said.find("the page is not told"), std::string::npos) << said;
+}
+
+TEST(Setup, AWrongNumberOfASaveIsRefusedAndNothingStarts) {
+  const TemporaryFolder folder;
+  SetupWishes wishes(folder.path(), {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0});
+  for (const char* number : {"-1", "\"x\"", "1.5", "null", "9007199254740993", "[1]"}) {
+    const std::string wish = std::string(R"({"scene": "stand", "save": )") + number + "}";
+    EXPECT_TRUE(only_saves(wish)) << number;
+    bool saved = true;
+    EXPECT_NE(wishes.save(wish, "hrp2p", saved).find("robot not saved: "), std::string::npos) << number;
+    EXPECT_FALSE(saved) << number;
+    EXPECT_FALSE(fs::exists(folder.path() + "/saved")) << number;
+    EXPECT_NE(text_of(folder.path() + "/saved.json").find("\"ok\":false"), std::string::npos) << number;
+  }
+}
+
+TEST(Setup, DeepBracketsAreRefusedBeforeTheyAreCopied) {
+  const TemporaryFolder folder;
+  SetupWishes wishes(folder.path(), {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0});
+  for (const std::size_t depth : {std::size_t{8}, std::size_t{500'000}}) {
+    const std::string brackets = std::string(depth, '[') + std::string(depth, ']');
+    for (const char* key : {"limbs", "pushes", "unchecked", "save"}) {
+      const std::string wish = std::string(R"({"scene": "stand", "save": 1, ")") + key + "\": " + brackets + "}";
+      EXPECT_TRUE(only_saves(wish));
+      bool saved = true;
+      EXPECT_NE(wishes.save(wish, "hrp2p", saved).find("8 brackets deep"), std::string::npos) << key;
+      EXPECT_NE(error_of([&] { write_setup(wish, "hrp2p", folder.path()); }).find("8 brackets deep"), std::string::npos) << key;
+    }
+  }
+  // Brackets in a text are none.
+  EXPECT_EQ(save_number(R"({"save": 5, "pose": "[[[[[[[[[[\"[[[["})"), 5);
 }
 
 TEST(Setup, ALimbPutBackIsTheRobotItWas) {
@@ -87,7 +174,8 @@ TEST(Setup, WhatNoRobotCanBeIsRefusedWithOneSentenceAndNothingIsWritten) {
       EXPECT_FALSE(error.empty()) << limbs;
       EXPECT_EQ(error.find('\n'), std::string::npos) << error;
       EXPECT_EQ(text_of(good + "/robot.yaml"), written) << limbs;
-      EXPECT_FALSE(fs::exists(folder.path() + "/draft"));
+      EXPECT_FALSE(fs::exists(folder.path() + "/.draft"));
+      EXPECT_FALSE(fs::exists(folder.path() + "/saved/.draft"));
       EXPECT_FALSE(fs::exists(folder.path() + "/scene.yaml"));
     }
   };
@@ -113,7 +201,8 @@ TEST(Setup, WhatNoRobotCanBeIsRefusedWithOneSentenceAndNothingIsWritten) {
 
 TEST(Setup, OnlyAWishWithANumberSaves) {
   EXPECT_EQ(save_number(kMoved), 3);
-  for (const char* wish : {"", "{}", "[]", R"({"save": -1})", R"({"save": "x"})", R"({"save": 1.5})"}) EXPECT_EQ(save_number(wish), -1) << wish;
+  EXPECT_EQ(save_number(R"({"save": 9007199254740992})"), std::int64_t{1} << 53);
+  for (const char* wish : {"", "{}", "[]", R"({"again": true})"}) EXPECT_FALSE(only_saves(wish)) << wish;
 }
 
 TEST(RobotCopy, ASensorOfTheOldFrameIsLeftOutWithIt) {
@@ -142,10 +231,36 @@ TEST(RobotCopy, PackagesAreFoundFromTheCopy) {
                "<limit lower='-1' upper='1' effort='10' velocity='2'/></joint></robot>");
   folder.write("robots/one/robot.yaml", "urdf: one.urdf\npackages: {things: ../../meshes}\n");
   const auto setup = save_robot(R"({"limbs": {"imu": {"frame": "b", "at": [0, 0, 0.1]}}})", folder.path() + "/robots/one", folder.path() + "/run/setup");
-  EXPECT_EQ(fs::path(setup.robot).parent_path(), folder.path() + "/run/setup");  // whatever the file calls the robot
+  EXPECT_EQ(fs::path(setup.robot).parent_path(), folder.path() + "/run/setup/saved");  // whatever the file calls the robot
   const Model model = load_robot(setup.robot);
   EXPECT_EQ(model.imu_link, 1);
   EXPECT_EQ(model.imu.translation().z(), 0.1);
+}
+
+// Whatever lies in setup/ beside it.
+TEST(Setup, ARobotMayHaveTheNameOfAFileOfTheSetup) {
+  for (const std::string name : {"draft", ".draft", "saved", "answer"}) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() + "/one");
+    const std::string inertia =
+        "<inertial><mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+    folder.write("one/one.urdf", "<robot name='" + name + "'><link name='a'>" + inertia + "</link><link name='b'>" + inertia +
+                 "</link><joint name='j' type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/>"
+                 "<limit lower='-1' upper='1' effort='10' velocity='2'/></joint></robot>");
+    folder.write("one/robot.yaml", "urdf: one.urdf\n");
+    const std::string up = folder.path() + "/setup";
+    SetupWishes wishes(up, {.scene = "stand", .robot = "one", .engine = "", .model_hash = 0});
+    bool saved = false;
+    const std::string first = wishes.save(R"({"save": 1, "limbs": {"imu": {"frame": "b"}}})", folder.path() + "/one", saved);
+    EXPECT_TRUE(saved) << first;
+    const std::string robot = first.substr(first.find('/'));
+    EXPECT_EQ(load_robot(robot).imu_link, 1) << name;
+    wishes.answer("{}", "");
+    const std::string start = R"({"scene": "stand", "joints": {"j": 0.1}, "limbs": {"imu": {"frame": "b"}}})";
+    EXPECT_EQ(load_robot(write_setup(start, folder.path() + "/one", up).robot).imu_link, 1) << name;
+    EXPECT_EQ(load_robot(robot).imu_link, 1) << name;
+    EXPECT_NE(text_of(up + "/answer"), "") << name;
+  }
 }
 
 }  // namespace

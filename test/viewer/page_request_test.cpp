@@ -126,7 +126,21 @@ TEST(PageRequest, ASetupMayOnlySaveTheRobot) {
   EXPECT_FALSE(request.saves);
   ASSERT_TRUE(read(R"({"do":"setup","setup":{"scene":"stand","save":7}})", true, request));
   EXPECT_TRUE(request.saves);
+  for (const char* number : {"-1", "\"x\"", "1.5", "null", "9007199254740993"}) {
+    const std::string text = std::string(R"({"do":"setup","setup":{"scene":"stand","save":)") + number + "}}";
+    EXPECT_FALSE(read(text, true, request)) << number;
+  }
   EXPECT_FALSE(read(R"({"do":"setup","setup":{"scene":"stand","save":7}})", false, request));  // who only watches
+}
+
+// Unless it is a stop: what copies or writes JSON calls itself for every level.
+TEST(PageRequest, DeepBracketsAreRefused) {
+  PageRequest request;
+  const std::string deep = std::string(500'000, '[') + std::string(500'000, ']');
+  EXPECT_FALSE(read(R"({"do":"setup","setup":{"scene":"stand","limbs":)" + deep + "}}", true, request));
+  EXPECT_FALSE(read(R"({"do":"walk","vy":0,"wz":0,"vx":)" + deep + "}", true, request));
+  EXPECT_TRUE(read(R"({"do":"stop","kind":)" + deep + "}", false, request));
+  EXPECT_TRUE(read(R"({"do":"setup","setup":{"scene":"stand","limbs":{"soles":{"left":{"at":[0,0,0]}}}}})", true, request));
 }
 
 TEST(PageRequest, NotesAreJsonWhateverTheText) {

@@ -144,7 +144,7 @@ if len(sys.argv) > 2:
     press("#limbs .limb")
     page.settle(0.3)
     page.screenshot(sys.argv[2])
-file = glob.glob(folder + "/*/robot.yaml")
+file = glob.glob(folder + "/saved/*/robot.yaml")
 text = open(file[0]).read() if file else ""
 
 
@@ -162,9 +162,10 @@ check(near(numbers_of(r"LFOOT_SOLE[^}]*?at: \[([^\]]*)\]"), sole["at"]), f"the f
 check(near(numbers_of(r"LFOOT_SOLE[^}]*?front: ([\d.e+-]+)"), [sole["edges"]["front"]]), "and its length")
 check(near(numbers_of(r"RHAND\n[\s\S]*?rpy: \[([^\]]*)\]"), [0, 0, 0.523599]), "the hand's turn")
 check(near(numbers_of(r"imu: \{frame: IMU, at: \[([^\]]*)\]"), [0.025, 0, 0]), "and the IMU's place")
-srdf = open(glob.glob(folder + "/*/*.srdf")[0]).read()
+srdf = open(glob.glob(folder + "/saved/*/*.srdf")[0]).read()
 check(any(f'link1="{a}" link2="{b}"' in srdf for a, b in (pair, pair[::-1])), "and the pair that is left out")
-check(os.listdir(folder).count("draft") == 0, "nothing half done is left")
+check(not glob.glob(folder + "/.draft") and not glob.glob(folder + "/saved/.draft"), "nothing half done is left")
+check(not glob.glob(folder + "/*/robot.yaml"), "and what a start is made of is untouched")
 
 # --- refused ---
 page.value("twinbus.limbs.choose(twinbus.limbs.list[0])")

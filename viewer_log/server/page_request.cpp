@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/text/json_depth.h"
 #include "lcmtypes/msg/motion_defaults.h"
 
 namespace twinbus {
@@ -12,6 +13,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int64_t kLargestId = (std::int64_t{1} << 53) - 1;
+constexpr std::int64_t kLargestSave = std::int64_t{1} << 53;
+constexpr int kDeepest = 8;  // brackets within each other; what copies or writes them calls itself for each
 constexpr double kLargestJoint = 1000.0;  // [rad or m]; the robot's own limits are looked at where the robot is known
 constexpr double kFarthestHand =
     1000.0;  // a robot that has walked for long may be far from where it began [m]
@@ -140,6 +143,7 @@ bool read_setup(const Json& json, PageRequest& request) {
   const auto setup = json.find("setup");
   if (setup == json.end() || !setup->is_object() || text_member(*setup, "scene").empty()) return false;
   request.saves = setup->contains("save");
+  if (request.saves && integer_member(*setup, "save", kLargestSave) < 0) return false;
   request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
   return true;
 }
@@ -170,7 +174,7 @@ constexpr Kind kKinds[] = {
     {"sim", What::kSim, &read_sim, "sim: action is pause, go, step with ticks, or pace with pace"},
     {"push", What::kSim, &read_push, "push: link, force and point of three numbers each, and seconds"},
     {"cancel", What::kCancel, nullptr, nullptr},
-    {"setup", What::kSetup, &read_setup, "setup: a JSON object with the name of a scene"},
+    {"setup", What::kSetup, &read_setup, "setup: a JSON object with the name of a scene; save: a whole number from 0 to 2^53"},
     {"record", What::kRecord, &read_record, "record: on must be true or false"},
 };
 
@@ -198,6 +202,10 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
   }
   if (!trusted) {
     problem = "watching only: open the address that the viewer printed to get the buttons";
+    return false;
+  }
+  if (nests_deeper(text, kDeepest)) {
+    problem = "not understood: a request is at most 8 brackets deep";
     return false;
   }
   for (const Kind& kind : kKinds) {
