@@ -50,7 +50,8 @@ inline double stored_energy(const Contact& c, double h) noexcept {
   if (c.now.mode == ContactMode::kOpen || !(end > 0.0)) return 0.0;
   if (c.soft) return 0.5 * c.normal.dot(c.now.force) * c.depth;
   return c.stored + 0.5 * (c.params.stiffness * end * end +
-                           c.params.tangent_stiffness * bristle_after(c, h).stretch.squaredNorm());
+                           c.params.tangent_stiffness * bristle_after(c, h).stretch.squaredNorm()) +
+         (turns(c) ? 0.5 * turning_stiffness(c.params) * turned_after(c.params, c.turned, c.moment, h).squaredNorm() : 0.0);
 }
 
 }  // namespace twinbus

@@ -98,6 +98,38 @@ void contact_force(const ContactParams& p, double depth, const Eigen::Vector3d& 
   out.tangent.diagonal().array() += alpha;
 }
 
+TurningMoment turning_moment(const ContactParams& p, const Eigen::Vector3d& n, const Eigen::Vector3d& turned,
+                             const Eigen::Vector3d& w, double press, double steep, double h) noexcept {
+  TurningMoment out;
+  const double beta = turning_damping(p) + h * turning_stiffness(p);
+  const Eigen::Vector3d trial = -turning_stiffness(p) * turned - beta * w;
+  const Eigen::Matrix3d spins = n * n.transpose(), rolls = Eigen::Matrix3d::Identity() - spins;
+  const auto add = [&](const Eigen::Matrix3d& part, double share) {
+    const Eigen::Vector3d held = part * trial;
+    const double size = held.norm(), limit = share * press;
+    if (!(share > 0.0)) return;
+    if (size <= limit) {
+      out.moment += held;
+      out.by_turning += beta * part;
+      return;
+    }
+    const Eigen::Vector3d t = held / size;
+    out.moment += limit * t;
+    out.by_turning += beta * limit / size * (part - t * t.transpose());
+    out.by_moving += share * steep * t * n.transpose();
+  };
+  add(rolls, p.rolling);
+  add(spins, p.torsional);
+  return out;
+}
+
+Eigen::Vector3d turned_after(const ContactParams& p, const Eigen::Vector3d& turned, const Eigen::Vector3d& moment,
+                             double h) noexcept {
+  const double stiffness = turning_stiffness(p);
+  const double beta = turning_damping(p) + h * stiffness;
+  return turned - h / beta * (moment + stiffness * turned);
+}
+
 void tie_force(const ContactParams& p, const Eigen::Vector3d* along, const Eigen::Vector3d& stretch,
                const Eigen::Vector3d& v, double h, bool with_tangent, ContactForce& out) noexcept {
   const double beta = p.damping + h * p.stiffness;

@@ -9,6 +9,14 @@
 //     friction     f* = -kt s - (ct + h kt) vt                  s: stretch of the bristle
 //                  sticks with ft = f* if |f*| <= mu fn, else slips with ft = mu fn f*/|f*|
 //
+// Against rolling and spinning, if asked for, with w the angular velocity at the END of the step and s how far that bristle is
+// turned:
+//
+//     rolling      m* = -kr s - (cr + h kr) w     of s and w what lies in the surface
+//                  holds with m = m* if |m*| <= rolling fn, else yields with m = rolling fn m*/|m*|
+//     torsion      the same about the normal, with torsional fn
+//     kr = kt l^2, cr = ct l^2                    as of bristles so far (kTurningLever) from the point
+//
 // The return to the cone is backward Euler of a spring and damper in series with a Coulomb slider
 // (radial return of plasticity; for friction: Lacoursiere and Wriggers 2006, chapter 5).  The
 // damping ramp lets a landing begin without a jump of force.  An impact at v on Hunt and Crossley's
@@ -31,7 +39,19 @@ struct ContactParams {
   double tangent_damping = 0.0;    // ct [N s/m]
   double friction = 0.0;           // mu
   double ramp = kDampingRamp;      // depth at which the damping is complete [m]
+  double rolling = 0.0;            // moment against rolling, of the normal force [m]
+  double torsional = 0.0;          // moment against spinning, of the normal force [m]
 };
+
+inline constexpr double kTurningLever = 0.05;  // l [m]
+
+inline bool turns(const ContactParams& params) noexcept { return params.rolling > 0.0 || params.torsional > 0.0; }
+inline double turning_stiffness(const ContactParams& params) noexcept {  // kr [N m]
+  return kTurningLever * kTurningLever * params.tangent_stiffness;
+}
+inline double turning_damping(const ContactParams& params) noexcept {  // cr [N m s]
+  return kTurningLever * kTurningLever * params.tangent_damping;
+}
 
 // With Hunt and Crossley's damping instead of its own.  dissipation: a [s/m].
 inline ContactParams hunt_crossley(ContactParams params, double dissipation) noexcept {
@@ -58,6 +78,20 @@ struct ContactForce {
 void contact_force(const ContactParams& params, double depth, const Eigen::Vector3d& normal,
                    const Eigen::Vector3d& stretch, const Eigen::Vector3d& v, double h,
                    bool with_tangent, double smooth, ContactForce& out) noexcept;
+
+struct TurningMoment {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();     // on the robot [N m]
+  Eigen::Matrix3d by_turning = Eigen::Matrix3d::Zero();  // -d moment / d w [N m s]
+  Eigen::Matrix3d by_moving = Eigen::Matrix3d::Zero();   // -d moment / d v, of the point [N s]
+};
+
+// turned: at the start of the step, w: at its end; press: the contact's force at its end, steep: -d press / d v along the
+// normal [N s/m].
+TurningMoment turning_moment(const ContactParams& params, const Eigen::Vector3d& normal, const Eigen::Vector3d& turned,
+                             const Eigen::Vector3d& w, double press, double steep, double h) noexcept;
+// How far its bristle is turned after a step in which it gave that moment.
+Eigen::Vector3d turned_after(const ContactParams& params, const Eigen::Vector3d& turned, const Eigen::Vector3d& moment,
+                             double h) noexcept;
 
 // Of a tie: -k stretch - (c + h k) v; of it only what acts along, if that is not null.
 void tie_force(const ContactParams& params, const Eigen::Vector3d* along,

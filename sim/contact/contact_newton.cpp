@@ -134,9 +134,19 @@ double ContactSolve::evaluate(Contacts& contacts, double h, const Eigen::VectorX
       rho_.segment<3>(6 * c.other_slot) += c.other_r.cross(extra);
       rho_.segment<3>(6 * c.other_slot + 3) += extra;
     }
+    if (turns(c)) resist_turning(c, h);
   }
   respond(rho_, b_rho_);
   return rho_.head(n_).dot(b_rho_.head(n_));
+}
+
+// Of a contact whose force is known.
+void ContactSolve::resist_turning(Contact& c, double h) noexcept {
+  c.w = c.w0 + h * a_.segment<3>(6 * c.slot);
+  if (c.other_system >= 0) c.w -= h * a_.segment<3>(6 * c.other_slot);
+  c.moment = turning_of(c, h).moment;
+  rho_.segment<3>(6 * c.slot) -= c.moment;
+  if (c.other_system >= 0) rho_.segment<3>(6 * c.other_slot) += c.moment;
 }
 
 // H, of the tangents that evaluate() left in the contacts.
@@ -152,14 +162,15 @@ void ContactSolve::add_tangents(const Contacts& contacts, double h) noexcept {
   for (int i = 0; i < member_count_; ++i) {
     const Contact& c = contacts[at(members_[i])];
     const Eigen::Matrix3d g = h * (c.now.tangent - c.g0);
-    if (!(g.cwiseAbs().maxCoeff() > 0.0)) continue;
-    if (c.other_system < 0) {
-      slots_[at(c.slot)].curved = true;
-      add_sandwich(c.r, g, h_[at(c.slot)]);
-    } else {
-      couplings_[at(c.coupling)].curved = true;
-      add_sandwich(c.r, g, couplings_[at(c.coupling)].aa);
-    }
+    const bool turn = turns(c);
+    if (!(g.cwiseAbs().maxCoeff() > 0.0) && !turn) continue;
+    Matrix6& to = c.other_system < 0 ? h_[at(c.slot)] : couplings_[at(c.coupling)].aa;
+    (c.other_system < 0 ? slots_[at(c.slot)].curved : couplings_[at(c.coupling)].curved) = true;
+    add_sandwich(c.r, g, to);
+    if (!turn) continue;
+    const TurningMoment turning = turning_of(c, h);
+    to.topLeftCorner<3, 3>() += h * (turning.by_turning - turning.by_moving * cross_matrix(c.r));
+    to.topRightCorner<3, 3>() += h * turning.by_moving;
   }
   // J(r_B) = J(r_A) X,  X = [1 0; -d^ 1],  d from B's common point to A's.
   for (Coupling& c : couplings_) {

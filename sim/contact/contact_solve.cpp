@@ -29,6 +29,10 @@ void find_force(Contact& c, double h, bool with_tangent, double smooth) noexcept
   }
 }
 
+TurningMoment turning_of(const Contact& c, double h) noexcept {
+  return turning_moment(c.params, c.normal, c.turned, c.w, c.normal.dot(c.now.force), c.normal.dot(c.now.tangent * c.normal), h);
+}
+
 ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_contacts)
     : systems_(std::move(systems)), band_(0, 0), pile_(0, 0, 0) {
   int links = 0, blocks = 0;
@@ -160,6 +164,7 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
   double total = 1.0, mismatch = 0.0;  // that squared
   int system = -1, link = -1;  // of the contact before
   Screw a;
+  bool turn = false;
   for (int i = 0; i < member_count_; ++i) {
     Contact& c = contacts[at(members_[i])];
     // Nothing of it is folded in: what pressed a step ago presses still.
@@ -175,7 +180,9 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
       c.v -= h * at_point(other.acceleration(c.other), c.other_r);
     }
     find_force(c, h, false, 0.0);
+    turn = turn || turns(c);  // nothing of that is folded in
   }
+  if (turn) return false;
   for (int i = 0; i < member_count_; ++i) {
     const Contact& c = contacts[at(members_[i])];
     total += c.now.force.norm();

@@ -58,7 +58,20 @@ struct Contact {
   Eigen::Matrix3d g0 = Eigen::Matrix3d::Zero();
   Eigen::Vector3d v = Eigen::Vector3d::Zero();  // of A against B at the end [m/s]
   ContactForce now;                             // on A
+  // Of a contact with rolling or torsional friction.
+  Eigen::Vector3d turned = Eigen::Vector3d::Zero();  // its bristle at the start, world [rad]
+  Eigen::Vector3d w0 = Eigen::Vector3d::Zero(), w = Eigen::Vector3d::Zero();  // of A against B at the start and at the end [rad/s]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // on A [N m]; of no meaning while it is open
 };
+
+// Whether it resists to being turned: its law at c.w is then turning_of(), that at the end of the step in c.moment.
+inline bool turns(const Contact& c) noexcept {
+  return turns(c.params) && c.tie == TieKind::kNone && c.now.mode != ContactMode::kOpen;
+}
+TurningMoment turning_of(const Contact& c, double h) noexcept;
+inline Eigen::Vector3d moment_of(const Contact& c) noexcept {
+  return turns(c) ? c.moment : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
 
 // Its law at c.v into c.now.
 void find_force(Contact& c, double h, bool with_tangent, double smooth) noexcept;
@@ -129,6 +142,7 @@ class ContactSolve {
   // rho at z; with_tangent also the tangents of the law.  Returns the merit rho' B rho.
   double evaluate(Contacts& contacts, double h, const Eigen::VectorXd& z,
                   bool with_tangent) noexcept;
+  void resist_turning(Contact& c, double h) noexcept;
   void add_tangents(const Contacts& contacts, double h) noexcept;
   void add_row(int s, int t, const Matrix6& h) noexcept;
   template <class Touch>

@@ -38,8 +38,10 @@ ContactParams shell(double stiffness, double friction) {
 }
 
 ContactParams as_asked(const WorldConfig& config, const ContactParams& params) {
-  if (!damps_by_depth(config.contact)) return params;
-  return hunt_crossley(params, config.dissipation);
+  ContactParams asked = damps_by_depth(config.contact) ? hunt_crossley(params, config.dissipation) : params;
+  asked.rolling = config.rolling_friction;
+  asked.torsional = config.torsional_friction;
+  return asked;
 }
 
 ContactParams times(const ContactParams& params, double share) noexcept {
@@ -352,6 +354,7 @@ void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, con
   c.normal = found.normal;
   c.depth = found.depth;
   c.v0 = v0;
+  c.w0 = angular(velocity);
   // Contacts are found in the same order at each step: the one sought is seldom far.
   for (std::size_t seen = 0; seen < memory_.size(); ++seen) {
     const Memory& memory = memory_[cursor];
@@ -359,6 +362,7 @@ void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, con
     if (memory.key != c.key) continue;
     c.stretch = c.material ? Eigen::Vector3d(c.point - memory.bristle) : memory.bristle;
     c.stretch -= c.normal * c.normal.dot(c.stretch);
+    c.turned = memory.turned;
     return;
   }
   c.stretch = planted(c, h);
@@ -372,7 +376,8 @@ void GroundContacts::remember(const std::vector<Contact>& contacts, int system, 
       continue;
     }
     const Bristle bristle = bristle_after(c, h);
-    memory_.push_back({c.key, c.material ? bristle.anchor : bristle.stretch});
+    memory_.push_back({c.key, c.material ? bristle.anchor : bristle.stretch,
+                       turns(c) ? turned_after(c.params, c.turned, c.moment, h) : Eigen::Vector3d(Eigen::Vector3d::Zero())});
   }
 }
 

@@ -103,6 +103,7 @@ class GroundContacts {
   struct Memory {
     int key;
     Eigen::Vector3d bristle;  // anchor, or stretch of a point that rolls
+    Eigen::Vector3d turned;   // as Contact::turned
   };
 
   void add_probes(int link, const Shape& shape, const Model& model);

@@ -286,6 +286,7 @@ void ArticulatedWorld::place_after(Momentum momentum, double h, double before) n
     const Eigen::Vector3d force = c.system == 0 ? c.now.force : Eigen::Vector3d(-c.now.force);
     momentum.linear += h * force;
     momentum.angular += h * (c.point - momentum.com).cross(force);
+    if (turns(c)) momentum.angular += h * (c.system == 0 ? c.moment : Eigen::Vector3d(-c.moment));
   }
   momentum.com += h / body_.mass() * (before * old + (1.0 - before) * momentum.linear);
   body_.place(momentum, configuration_);
@@ -409,8 +410,8 @@ void ArticulatedWorld::report_contacts() noexcept {
     if (c.now.mode == ContactMode::kOpen && !(c.depth > 0.0)) continue;
     if (within_robot(c)) {
       const double depth = std::max(0.0, c.depth);
-      reported_.push_back({c.link, -1, c.point, c.now.force, depth});
-      reported_.push_back({c.other, -1, c.point, -c.now.force, depth});
+      reported_.push_back({c.link, -1, c.point, c.now.force, depth, false, moment_of(c)});
+      reported_.push_back({c.other, -1, c.point, -c.now.force, depth, false, -moment_of(c)});
     }
     if (!of_robot(c)) continue;
     const bool first = c.system == 0;
@@ -418,7 +419,8 @@ void ArticulatedWorld::report_contacts() noexcept {
                          .sole = c.sole,
                          .point = c.point,
                          .force = first ? c.now.force : Eigen::Vector3d(-c.now.force),
-                         .depth = std::max(0.0, c.depth)});
+                         .depth = std::max(0.0, c.depth),
+                         .moment = (first ? 1.0 : -1.0) * moment_of(c)});
   }
 }
 
@@ -435,6 +437,7 @@ void ArticulatedWorld::estimate_contact_forces() noexcept {
         (damping_at(c.params, c.depth) + config_.step * c.params.stiffness) * c.normal.dot(c.v0);
     c.now.force = std::max(0.0, fn) * c.normal;
     c.now.mode = ContactMode::kStick;
+    c.moment.setZero();
   }
   report_contacts();
 }

@@ -32,6 +32,11 @@ bool less_is_modelled(const WorldConfig& config) {
 
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   check_bodies(config.loose);
+  if ((config.rolling_friction > 0.0 || config.torsional_friction > 0.0) &&
+      (config.engine == Engine::kMujoco || config.contact == ContactModel::kSoft)) {
+    throw std::runtime_error(std::string(config.engine == Engine::kMujoco ? "engine mujoco" : "contact soft") +
+                             " has no contact.rolling_friction or contact.torsional_friction here; leave them out");
+  }
   if (config.twin) return std::make_unique<TwinnedWorld>(model, config);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
   if (config.engine != Engine::kArticulated && (config.asleep || !config.untouched.empty() || !config.aloft.empty())) {

@@ -194,6 +194,12 @@ dContact OdeWorld::soft_row(const dContactGeom& geom, const Eigen::Vector3d& vel
   row.surface.mu = mu;
   row.surface.soft_erp = h_ * k / (h_ * k + c);
   row.surface.soft_cfm = 1.0 / (h_ * k + c);
+  if (config_.rolling_friction > 0.0 || config_.torsional_friction > 0.0) {
+    row.surface.mode |= dContactRolling | dContactAxisDep;
+    row.surface.mu2 = mu;
+    row.surface.rho = row.surface.rho2 = config_.rolling_friction;
+    row.surface.rhoN = config_.torsional_friction;
+  }
   // ODE takes a negative depth for none: the way that is left is a speed.
   if (geom.depth < 0.0) {
     row.surface.mode |= dContactMotionN;
@@ -214,11 +220,19 @@ void OdeWorld::create_contact_joints() noexcept {
 void OdeWorld::read_contact_forces() noexcept {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Eigen::Vector3d force = vector(feedback_[i].f1);
-    const auto felt_as = [&](int index, const Eigen::Vector3d& f) {
-      if (index >= 0) contacts_[static_cast<std::size_t>(index)].force = f;
+    // The torque that ODE tells is about the body's middle.
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    if ((rows_[i].contact.surface.mode & dContactRolling) != 0) {
+      const Eigen::Vector3d arm = vector(rows_[i].contact.geom.pos) - vector(dBodyGetPosition(rows_[i].own));
+      moment = vector(feedback_[i].t1) - arm.cross(force);
+    }
+    const auto felt_as = [&](int index, double sign) {
+      if (index < 0) return;
+      contacts_[static_cast<std::size_t>(index)].force = sign * force;
+      contacts_[static_cast<std::size_t>(index)].moment = sign * moment;
     };
-    felt_as(rows_[i].felt, force);
-    felt_as(rows_[i].felt_by_other, -force);
+    felt_as(rows_[i].felt, 1.0);
+    felt_as(rows_[i].felt_by_other, -1.0);
   }
   read_tie_forces();
   forget_open();

@@ -117,6 +117,7 @@ std::string LaneWorlds::why_not(const WorldConfig& config) {
   if (config.flight != Flight::kImplicit) return "flight is not implicit";
   if (config.contact != ContactModel::kSpringDamper && config.contact != ContactModel::kHuntCrossley)
     return "contact is neither spring_damper nor hunt_crossley";
+  if (config.rolling_friction > 0.0 || config.torsional_friction > 0.0) return "contacts have rolling or torsional friction";
   if (config.twin) return "there is a twin";
   if (!config.ties.empty()) return "there are ties";
   if (!config.robots.empty() || config.self_contact) return "robots touch one another or themselves";
@@ -300,7 +301,7 @@ void LaneWorlds::leave(const Lane& lane) noexcept {
   std::erase_if(world.deep_, [](const auto& pair) { return pair.who[0] == 0; });
   for (const CornerLanes& corner : block_.corners) {
     if (corner.known[k] > 0.0)
-      world.ground_.memory_.push_back({key_of(corner), {corner.anchor_x[k], corner.anchor_y[k], 0.0}});
+      world.ground_.memory_.push_back({key_of(corner), {corner.anchor_x[k], corner.anchor_y[k], 0.0}, Eigen::Vector3d::Zero()});
     const double deep = block_.deep[at(corner.sole)][k];
     if (corner.corner == 0 && deep > 0.0) world.deep_.push_back({{0, corner.link, -1, -1}, deep});
   }

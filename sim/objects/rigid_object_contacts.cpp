@@ -47,7 +47,7 @@ int face_along(const Eigen::Vector3d& normal) noexcept {
 }
 
 ContactParams hard(double stiffness, double damping, double friction) {
-  return {stiffness, damping, stiffness, damping, friction, kDampingRamp};
+  return {stiffness, damping, stiffness, damping, friction, kDampingRamp, 0.0, 0.0};
 }
 
 double series(double a, double b) {
@@ -64,7 +64,9 @@ ContactParams together(const ContactParams& a, const ContactParams& b) {
           series(a.tangent_stiffness, b.tangent_stiffness),
           series(a.tangent_damping, b.tangent_damping),
           std::sqrt(a.friction * b.friction),
-          std::max(a.ramp, b.ramp)};
+          std::max(a.ramp, b.ramp),
+          std::max(a.rolling, b.rolling),
+          std::max(a.torsional, b.torsional)};
 }
 
 LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
@@ -425,10 +427,12 @@ bool LooseContacts::consider(Contact& c, Search& search) noexcept {
   if (c.link < 0) c.link = 0;
   c.r = c.point - body.origin();
   c.v0 = at_point(body.velocity(c.link), c.r);
+  c.w0 = angular(body.velocity(c.link));
   const ArticulatedBody* other = c.other_system >= 0 ? search.systems[at(c.other_system)] : nullptr;
   if (other != nullptr) {
     c.other_r = c.point - other->origin();
     c.v0 -= at_point(other->velocity(c.other), c.other_r);
+    c.w0 -= angular(other->velocity(c.other));
   }
   if (!(c.depth > -reach_of(c.v0.norm(), search.h)) ||
       search.contacts.size() >= search.contacts.capacity()) {
@@ -446,9 +450,11 @@ bool LooseContacts::consider(Contact& c, Search& search) noexcept {
   }
   const Memory& memory = memory_[search.cursor++ % memory_.size()];
   Eigen::Vector3d bristle = memory.bristle;
+  added.turned = memory.turned;
   if (other != nullptr) {
     const LinkNow link = other->link(c.other);
     bristle = link.rotation * bristle;
+    added.turned = link.rotation * added.turned;
     if (c.material) bristle += other->origin() + link.origin;
   }
   added.stretch = c.material ? Eigen::Vector3d(c.point - bristle) : bristle;
@@ -464,14 +470,16 @@ void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
   for (const Contact& c : contacts) {
     if (c.key < kFirstKey || c.now.mode == ContactMode::kOpen) continue;
     const Bristle bristle = bristle_after(c, h);
-    Eigen::Vector3d kept = c.material ? bristle.anchor : bristle.stretch;
+    Eigen::Vector3d kept = c.material ? bristle.anchor : bristle.stretch, turned = Eigen::Vector3d::Zero();
+    if (turns(c)) turned = turned_after(c.params, c.turned, c.moment, h);
     if (c.other_system >= 0) {
       const ArticulatedBody& other = *systems[at(c.other_system)];
       const LinkNow link = other.link(c.other);
       if (c.material) kept -= other.origin() + link.origin;
       kept = link.rotation.transpose() * kept;
+      turned = link.rotation.transpose() * turned;
     }
-    memory_.push_back({c.key, kept, c.now.force});
+    memory_.push_back({c.key, kept, c.now.force, turned});
   }
   index_memory();
 }

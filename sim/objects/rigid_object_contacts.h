@@ -109,7 +109,7 @@ class LooseContacts {
   struct Memory {
     int key;
     Eigen::Vector3d bristle;  // in B's axes: anchor, or stretch of a point that rolls
-    Eigen::Vector3d force;    // world
+    Eigen::Vector3d force, turned;  // world; in B's axes, as Contact::turned
   };
   // Of a contact of what is asleep.
   struct Slept {

@@ -19,6 +19,7 @@ std::array<float, 6> contact_wrench(const World& world, const Eigen::Isometry3d&
     if (!is_beyond(contact)) continue;
     force += contact.force;
     torque += (contact.point - frame.translation()).cross(contact.force);
+    if (!contact.moment.isZero(0.0)) torque += contact.moment;
   }
   const Eigen::Vector3d f = frame.linear().transpose() * force;
   const Eigen::Vector3d t = frame.linear().transpose() * torque;

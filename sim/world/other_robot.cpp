@@ -46,6 +46,8 @@ WorldConfig config_of(const OtherRobot& robot, const WorldConfig& world) {
   own.step = world.step;
   own.contact = world.contact;
   own.dissipation = world.dissipation;
+  own.rolling_friction = world.rolling_friction;
+  own.torsional_friction = world.torsional_friction;
   own.fixed_base = !robot.model->floating_base;
   own.ground_friction = world.ground_friction;
   own.shell_stiffness = world.shell_stiffness;

@@ -54,6 +54,7 @@ void fill_truth(const Model& model, const FeltFeet& feet, const World& world, do
     penetration = std::max(penetration, contact.depth);
     pressure += contact.force.z();
     moment += contact.force.z() * contact.point.head<2>();
+    if (!contact.moment.isZero(0.0)) moment += Eigen::Vector2d(-contact.moment.y(), contact.moment.x());
     for (std::size_t foot = 0; foot < count; ++foot) {
       if (feet.foot[foot].feels(contact)) foot_force[foot] += contact.force;
     }

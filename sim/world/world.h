@@ -94,7 +94,7 @@ struct WorldConfig {
   double backlash = 0.0;                          // full play between servo and link [rad]
   double ground_friction = 0.8;                   // combined with the sole's as geometric mean
   double stiffness_scale = 1.0, damping_scale = 1.0;  // of the soles' springs and dampers
-  double dissipation = 2.0;                       // of kHuntCrossley and kPatch, everywhere [s/m]
+  double dissipation = 2.0, rolling_friction = 0.0, torsional_friction = 0.0;  // of laws that damp by depth [s/m]; of all [m]
   std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
   double servo_kp_scale = 1.0, servo_kd_scale = 1.0;
   std::vector<Obstacle> obstacles;
@@ -114,12 +114,12 @@ struct WorldConfig {
 };
 
 struct ContactPoint {
-  int link = -1;
-  int sole = -1;                                    // 0 left, 1 right, -1 not a corner of a sole
+  int link = -1, sole = -1;                         // sole: 0 left, 1 right, -1 not a corner of one
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // world [m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the robot, world [N]
   double depth = 0.0;                               // [m]
   bool tie = false;                                 // holds something: felt, but no touch
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero(); // of rolling and torsional friction, on the robot [N m]
 };
 
 inline constexpr int kSoleCorners = 4;

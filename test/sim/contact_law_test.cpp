@@ -131,5 +131,42 @@ TEST(ContactLaw, AtRestItIsASpring) {
   EXPECT_EQ(force.mode, ContactMode::kOpen);
 }
 
+TEST(TurningMoment, StaysInItsBoundsAndHasItsSlopes) {
+  ContactParams p;
+  p.tangent_stiffness = 1e5;
+  p.tangent_damping = 200.0;
+  p.rolling = 2e-3;
+  p.torsional = 5e-3;
+  Random random(4);
+  const auto vector = [&](double size) { return Eigen::Vector3d(size * random.normal(), size * random.normal(), size * random.normal()); };
+  const double h = 0.002, steep = 300.0, step = 1e-7;
+  int held = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d n = vector(1.0).normalized(), turned = vector(1e-4), w = vector(i % 2 == 0 ? 0.01 : 1.0);
+    const double press = 20.0 + 5.0 * random.uniform();
+    const auto at = [&](const Eigen::Vector3d& dw, const Eigen::Vector3d& dv) {
+      return turning_moment(p, n, turned, w + dw, press - steep * n.dot(dv), steep, h);
+    };
+    const TurningMoment m = at(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    EXPECT_LE(std::abs(n.dot(m.moment)), p.torsional * press * (1.0 + 1e-12));
+    EXPECT_LE((m.moment - n * n.dot(m.moment)).norm(), p.rolling * press * (1.0 + 1e-12));
+    held += m.by_moving.isZero(0.0) ? 1 : 0;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d d = step * Eigen::Vector3d::Unit(k);
+      const Eigen::Vector3d turning = (at(-d, Eigen::Vector3d::Zero()).moment - at(d, Eigen::Vector3d::Zero()).moment) / (2.0 * step);
+      const Eigen::Vector3d moving = (at(Eigen::Vector3d::Zero(), -d).moment - at(Eigen::Vector3d::Zero(), d).moment) / (2.0 * step);
+      EXPECT_NEAR((turning - m.by_turning.col(k)).norm(), 0.0, 1e-4);
+      EXPECT_NEAR((moving - m.by_moving.col(k)).norm(), 0.0, 1e-4);
+    }
+    const Eigen::Vector3d after = turned_after(p, turned, m.moment, h);
+    if (m.by_moving.isZero(0.0)) {
+      EXPECT_NEAR((after - turned - h * w).norm(), 0.0, 1e-12);
+    }
+  }
+  EXPECT_GT(held, 20);
+  p.rolling = p.torsional = 0.0;
+  EXPECT_FALSE(turns(p));
+}
+
 }  // namespace
 }  // namespace twinbus

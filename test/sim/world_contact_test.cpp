@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
@@ -184,6 +188,166 @@ TEST(RigidContact, ABlockRestsOnItsSurfaceAndLandsAtOnce) {
   EXPECT_NEAR(weight_on_soles(), world->mass() * kGravity, 1e-3 * world->mass() * kGravity);
   // All of its momentum within a step: 0.44 m/s, 20.5 kg in 1 ms.
   EXPECT_GT(highest, 20.0 * world->mass() * kGravity);
+}
+
+// Rolling and torsional friction against closed forms, in both engines and under every law of contact that has them.
+
+constexpr double kBallRadius = 0.1, kMass = 2.0;  // of ball and disc [m], [kg]
+constexpr ContactModel kLaws[] = {ContactModel::kSpringDamper, ContactModel::kHuntCrossley, ContactModel::kPatch};
+
+LooseBody round_body(SolidShape shape, double height) {
+  const Eigen::Isometry3d pose(Eigen::Translation3d(0.0, 0.0, height));
+  LooseBody body = test::loose_box("body", kMass, {kBallRadius, shape == SolidShape::kCylinder ? 2.0 * height : 0.0, 0.0}, pose, 1e6,
+                                   std::sqrt(0.25 * 1e6 * kMass));
+  body.solid.shape = shape;
+  return body;
+}
+
+TWINBUS_BOTH_ENGINES(TurningTest);
+
+// After it came to rest under this law, moved so.
+std::unique_ptr<World> moving(const std::function<std::unique_ptr<World>(const WorldConfig&)>& make, WorldConfig config,
+                              const Eigen::Vector3d& velocity, const Eigen::Vector3d& spin) {
+  auto world = make(config);
+  for (int i = 0; i < 500; ++i) EXPECT_EQ(world->step(), Status::kOk);
+  LooseState state = world->loose(0);
+  state.velocity = velocity;
+  state.angular_velocity = spin;
+  EXPECT_EQ(world->set_loose(0, state), Status::kOk);
+  return world;
+}
+
+// Rolls without sliding: (m + I / r^2) dv/dt = -c m g / r, I = 2/5 m r^2.
+TEST_P(TurningTest, ARollingBallStopsWhereItShould) {
+  const Model model = test::bystander();
+  const double c = 2e-3, speed = 0.4, slower = 5.0 / 7.0 * c * kGravity / kBallRadius;
+  for (const ContactModel law : kLaws) {
+    WorldConfig config;
+    config.contact = law;
+    config.rolling_friction = c;
+    config.loose = {round_body(SolidShape::kSphere, kBallRadius)};
+    const auto world = moving([&](const WorldConfig& asked) { return make(model, asked); }, config, {speed, 0, 0}, {0, speed / kBallRadius, 0});
+    const Eigen::Vector3d start = world->loose(0).pose.translation();
+    const int half = static_cast<int>(std::lround(0.5 * speed / slower / config.step));
+    for (int i = 0; i < half; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    EXPECT_NEAR(world->loose(0).velocity.x(), 0.5 * speed, 0.01 * speed) << kContactNames[static_cast<int>(law)];
+    for (int i = 0; i < half + 250; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    EXPECT_NEAR(world->loose(0).pose.translation().x() - start.x(), 0.5 * speed * speed / slower, 0.01 * speed * speed / slower)
+        << kContactNames[static_cast<int>(law)];
+    EXPECT_LT(world->loose(0).velocity.norm(), 1e-3) << kContactNames[static_cast<int>(law)];
+  }
+}
+
+// I dw/dt = -c m g: a ball on its one point, and a disc that slides on its face without any other friction.
+TEST_P(TurningTest, ASpinningBallAndASpinningDiscStopWhenTheyShould) {
+  const Model model = test::bystander();
+  const double c = 3e-3, spin = 10.0;
+  for (const SolidShape shape : {SolidShape::kSphere, SolidShape::kCylinder}) {
+    const double share = shape == SolidShape::kSphere ? 0.4 : 0.5;  // I = share m r^2
+    const double slower = c * kGravity / (share * kBallRadius * kBallRadius);
+    for (const ContactModel law : kLaws) {
+      WorldConfig config;
+      config.contact = law;
+      config.torsional_friction = c;
+      config.loose = {round_body(shape, shape == SolidShape::kSphere ? kBallRadius : 0.02)};
+      if (shape == SolidShape::kCylinder) config.loose[0].friction = config.ground_friction = 0.0;
+      const auto world = moving([&](const WorldConfig& asked) { return make(model, asked); }, config, {0, 0, 0}, {0, 0, spin});
+      const int half = static_cast<int>(std::lround(0.5 * spin / slower / config.step));
+      const std::string who = std::string(kContactNames[static_cast<int>(law)]) + (shape == SolidShape::kSphere ? " ball" : " disc");
+      for (int i = 0; i < half; ++i) ASSERT_EQ(world->step(), Status::kOk);
+      EXPECT_NEAR(world->loose(0).angular_velocity.z(), 0.5 * spin, 0.02 * spin) << who;
+      for (int i = 0; i < half * 21 / 20; ++i) ASSERT_EQ(world->step(), Status::kOk);
+      EXPECT_LT(std::abs(world->loose(0).angular_velocity.z()), 0.01 * spin) << who;
+    }
+  }
+}
+
+// On a slope a ball rolls where r tan(slope) is more than the rolling friction, and stays where it is less.
+TEST_P(TurningTest, ABallStaysOnASlopeThatItsRollingFrictionHolds) {
+  const Model model = test::bystander();
+  const double slope = 0.01;
+  for (const double c : {0.5 * kBallRadius * slope, 2.0 * kBallRadius * slope}) {
+    WorldConfig config;
+    config.rolling_friction = c;
+    Obstacle plank{.shape = ObstacleShape::kBox, .size = {4.0, 4.0, 1.0}};
+    plank.pose.linear() = Eigen::AngleAxisd(slope, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    plank.pose.translation() = 1.0 * Eigen::Vector3d::UnitZ() - 0.5 * plank.pose.linear().col(2);
+    config.obstacles = {plank};
+    config.loose = {round_body(SolidShape::kSphere, 1.0 + kBallRadius)};
+    const auto world = make(model, config);
+    for (int i = 0; i < 500; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    const double begun = world->loose(0).pose.translation().x();
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    const double way = world->loose(0).pose.translation().x() - begun;
+    if (c > kBallRadius * slope) {
+      EXPECT_NEAR(way, 0.0, 1e-5);
+    } else {
+      EXPECT_GT(way, 0.05);  // half of g slope is left, 5/7 of it for the way
+    }
+  }
+}
+
+// Soles without any other friction: I dw/dt = -c m g, and the feet feel it.
+TEST_P(TurningTest, SolesResistSpinning) {
+  const Model model = test::block();
+  const double c = 0.01, spin = 0.5;
+  for (const ContactModel law : kLaws) {
+    WorldConfig config;
+    config.contact = law;
+    config.ground_friction = 0.0;
+    config.torsional_friction = c;
+    const auto world = make_at(test::standing_block(model), model, config);
+    for (int i = 0; i < 500; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    Configuration now = world->configuration();
+    now.base_angular_velocity = {0, 0, spin};
+    ASSERT_EQ(world->set(now), Status::kOk);
+    const double slower = c * world->mass() * kGravity / (model.links[0].inertia(2, 2) + model.links[1].inertia(2, 2));
+    const int half = static_cast<int>(std::lround(0.5 * spin / slower / config.step));
+    ASSERT_GT(half, 3);
+    for (int i = 0; i < half; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    const std::string who = kContactNames[static_cast<int>(law)];
+    EXPECT_NEAR(world->configuration().base_angular_velocity.z(), spin - slower * config.step * half, 0.05 * spin) << who;
+    double moment = 0.0;
+    for (const ContactPoint& contact : world->contacts()) moment += contact.moment.z();
+    EXPECT_NEAR(moment, -c * world->mass() * kGravity, 0.02 * c * world->mass() * kGravity) << who;
+  }
+}
+
+TEST_P(TurningTest, WithoutItNothingStopsABall) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.loose = {round_body(SolidShape::kSphere, kBallRadius)};
+  const auto world = moving([&](const WorldConfig& asked) { return make(model, asked); }, config, {0.4, 0, 0}, {0, 4, 0});
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_NEAR(world->loose(0).velocity.x(), 0.4, 0.004);
+}
+
+// A ball on a box that is free itself: what one gets, the other loses.
+TEST(TurningMoment, OfTwoBodiesIsThatOfBoth) {
+  WorldConfig config;
+  config.ground_friction = 0.0;
+  config.torsional_friction = 3e-3;
+  const Eigen::Isometry3d low(Eigen::Translation3d(0.0, 0.0, 0.05));
+  config.loose = {round_body(SolidShape::kSphere, 0.1 + kBallRadius), test::loose_box("plate", 1.0, {0.3, 0.3, 0.1}, low, 1e5, 150.0)};
+  config.loose[0].start.angular_velocity.z() = 5.0;
+  config.loose[1].friction = 0.0;
+  // Nothing of the ground: it would slow the plate too.
+  const Model model = test::bystander();
+  const auto world = make_world(model, config);
+  for (int i = 0; i < 50; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_LT(world->loose(0).angular_velocity.z(), 4.8);
+  config.torsional_friction = 0.0;
+  const auto free = make_world(model, config);
+  for (int i = 0; i < 50; ++i) ASSERT_EQ(free->step(), Status::kOk);
+  EXPECT_NEAR(free->loose(0).angular_velocity.z(), 5.0, 1e-9);
+}
+
+TEST(TurningMoment, WhatHasNoneRefusesIt) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.rolling_friction = 1e-3;
+  config.contact = ContactModel::kSoft;
+  EXPECT_THROW(make_world(model, config), std::runtime_error);
 }
 
 }  // namespace
