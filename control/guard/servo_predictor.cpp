@@ -119,7 +119,8 @@ void ServoPredictor::hear(const RobotState& state, const JointCommand& command) 
 // A brake may have begun sooner or later than it was taken to, from another speed.  The torque of its servo tells where its
 // set-point is; one that is not where it was thought to be is where the joint is.  A robot that measures no torque says zero.
 void ServoPredictor::see_held(Servo& s, double q, double v, double tau) noexcept {
-  if (tau == 0.0) return;
+  s.feels = s.feels || tau != 0.0;
+  if (!s.feels) return;
   const double kp = std::max(s.kp, s.hold_kp), kd = std::max(s.kd, s.hold_kd);
   if (!(kp > 0.0) || (s.effort > 0.0 && std::abs(tau) > kNearLimit * s.effort)) return;
   const double pulls = tau - s.held_tau;

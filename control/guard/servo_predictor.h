@@ -61,6 +61,7 @@ class ServoPredictor {
     const Joint* of = nullptr;
     // as commanded
     double q = 0.0, held_v = 0.0, held_tau = 0.0;    // as the gate has it, and its speed and torque while it is held
+    bool feels = false;      // its torque is measured: it was not always 0
     double kp = 0.0, kd = 0.0, qd = 0.0, tau = 0.0;  // as the gate lets them through
     double asked = 0.0, speed = 0.0;                 // what it is asked to be, and how that moves
     double client_q = 0.0, client_speed = 0.0, step = 0.0;  // the same of the client alone, and how it moved last
