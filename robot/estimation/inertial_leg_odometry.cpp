@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
@@ -156,17 +157,24 @@ void InertialLegOdometry::correct(double dt) noexcept {
   bool any = false, agreed = false;
   for (int foot = 0; foot < feet_.count(); ++foot)
     agreed = agreed || (feet_.stands(foot) && (seen_[at(foot)].velocity - velocity_).norm() < kAgrees);
+  const auto restless_of = [&](int foot) { return 1.0 + seen_[at(foot)].change.squaredNorm() / (kRestless * kRestless); };
+  // Of two feet the one that lands stands alone: nothing else tells how fast the base rises.
+  const bool alone = feet_.count() <= 2;
+  double calmest = std::numeric_limits<double>::infinity();
+  for (int foot = 0; foot < feet_.count(); ++foot) {
+    if (feet_.certainty(foot) > 0.0) calmest = std::min(calmest, restless_of(foot));
+  }
   for (int foot = 0; foot < feet_.count(); ++foot) {
     const double sure = feet_.certainty(foot);
     if (!(sure > 0.0)) continue;
     any = any || feet_.stands(foot);
     const Eigen::Vector3d& seen = seen_[at(foot)].velocity;
-    const double restless = 1.0 + seen_[at(foot)].change.squaredNorm() / (kRestless * kRestless);
+    const double restless = restless_of(foot);
     // Torques swing a heavy leg too: while another foot agrees with what was known, one that moves is in the air.
     if (agreed && (seen - velocity_).norm() > kMoves) continue;
     for (int axis = 0; axis < 3; ++axis) {
       const double off = seen[axis] - velocity_[axis];
-      double noise = restless * kFootNoise / (sure * dt);
+      double noise = (alone && axis == 2 ? restless / calmest : restless) * kFootNoise / (sure * dt);
       const double usual = kHuber * kHuber * (variance_[axis] + kFootNoise / 0.02);
       if (off * off > usual) noise *= std::sqrt(off * off / usual);
       const double gain = variance_[axis] / (variance_[axis] + noise);
