@@ -44,7 +44,6 @@ bool is_same(const Obstacle& a, const Obstacle& b) {
 }
 
 // None at all, or none along which the joints can hold the arm.
-bool no_way(const ArmPlan& plan) { return plan.status == ArmPathStatus::kTimeLimit || plan.heavy == ArmPlan::Heavy::kOnTheWay; }
 
 void forget_weight(ArmPlan& plan) {
   plan.complaint.clear();
@@ -202,13 +201,13 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
     plan.padding = padding;
     plan.checks = checks += plan.checks;
     const bool in_the_way = plan.status == ArmPathStatus::kStartInCollision || plan.status == ArmPathStatus::kGoalInCollision ||
-                            no_way(plan);
+                            plan.no_way();
     if (!in_the_way) break;
   }
   // Then with patience, and as near as a goal may be: first by proofs, which are quick, then by distances, which are exact.
   Effort patient{.clearance = std::min(config_.clearance, config_.least_clearance), .rounds = kLongPatience * config_.rrt_rounds};
   const ArmPlan heavy = plan.heavy == ArmPlan::Heavy::kOnTheWay ? plan : ArmPlan{};
-  for (bool again = true; again && no_way(plan); patient.exact = true) {
+  for (bool again = true; again && plan.no_way(); patient.exact = true) {
     plan = attempt(goal, start, ground_in_world, seed, patient, keep_on, user);
     plan.checks = checks += plan.checks;
     again = !patient.exact;

@@ -55,6 +55,8 @@ struct ArmPlan {
   double padding = 0.0;     // that it keeps to obstacles besides [m]
   int rounds = 0;           // of all searches of the last attempt; 0: the straight way was free
   std::int64_t checks = 0;  // postures whose exact distances were asked for
+  // To a goal that is one: none was found, or none on which the joints can hold the arm.
+  bool no_way() const { return status == ArmPathStatus::kTimeLimit || heavy == Heavy::kOnTheWay; }
   double duration() const { return path.empty() ? 0.0 : path.back().time; }
 };
 

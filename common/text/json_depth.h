@@ -2,9 +2,14 @@
 
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace twinbus {
+
+// Of what a page asks, the same for the viewer, which takes it, and for `up`, which does it.
+constexpr int kDeepestWish = 8;                                  // brackets within each other
+constexpr std::int64_t kLargestSave = std::int64_t{1} << 53;  // what a page counts to
 
 // A text that is no JSON is refused by its parser, whatever this says of it.
 inline bool nests_deeper(const std::string& json, int most) {

@@ -69,15 +69,20 @@ double Guard::Impl::approach(const Kinematics& kinematics, const PairDistance& p
 // Do the joints that are still held come nearer to anything inside its margin on the way back to their set-points?  A fade
 // begins so slowly that no look along it sees that in time: each release would cost a little of the margin.
 bool Guard::Impl::leads_nearer(const JointCommand& command) const noexcept {
-  for (int p = 0; p < pair_count; ++p) {
+  std::array<int, kMaxJoints> fading{};
+  int fading_count = 0;
+  for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
+    const Joint& joint = model->joints[at(model->bus_joints[at(k)])];
+    if (keep[at(k)] > 0 && servos.is_soft(at(k)) && !is_soft(static_cast<double>(command.kp[at(k)]), joint))
+      fading[at(fading_count++)] = k;
+  }
+  for (int p = 0; p < pair_count && fading_count > 0; ++p) {
     const PairDistance& pair = pairs[at(p)];
     if (!(pair.distance < margin_of(pair.link_a, pair.link_b)) || !(pair.distance > -kLost)) continue;
     double nearer = 0.0;
-    for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
-      const int j = model->bus_joints[at(k)];
-      const bool fades = keep[at(k)] > 0 && servos.is_soft(at(k)) &&
-                         !is_soft(static_cast<double>(command.kp[at(k)]), model->joints[at(j)]);
-      if (fades) nearer -= approach(*now_kinematics, pair, j, command.q[at(k)] - now.q[j]);
+    for (int n = 0; n < fading_count; ++n) {
+      const int k = fading[at(n)], j = model->bus_joints[at(k)];
+      nearer -= approach(*now_kinematics, pair, j, command.q[at(k)] - now.q[j]);
     }
     if (nearer > kNearer) return true;
   }

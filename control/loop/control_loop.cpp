@@ -475,8 +475,8 @@ std::array<double, 2> ControlLoop::foot_forces() const noexcept {
 }
 
 const char* ControlLoop::take_sentence(bool* of_path) noexcept {
-  const char* own = std::exchange(impl_->sentence, nullptr);
-  return own != nullptr ? own : impl_->modes.take_sentence(of_path);
+  if (of_path != nullptr) *of_path = false;
+  return impl_->sentence != nullptr ? std::exchange(impl_->sentence, nullptr) : impl_->modes.take_sentence(of_path);
 }
 
 std::string ControlLoop::guard_cause() const {

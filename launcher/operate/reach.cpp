@@ -12,6 +12,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/math/pose_math.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
@@ -40,7 +41,6 @@ constexpr double kAskAgain = 0.2;      // [s]
 constexpr double kPlanTimeout = 15.0;  // [s]
 constexpr double kWords = 0.3;         // [s] until the planner has said why
 constexpr double kFarthest = 10.0;     // [m]
-constexpr double kUnit = 1e-3;         // the length of a quaternion differs from 1 by less
 
 // What one `reach` hears of the stack.
 class Watcher {
@@ -144,14 +144,10 @@ class Watcher {
 
   void hear_estimate(const Estimate& estimate) {
     if (estimate.run_id != run_id()) return;
-    const auto& p = estimate.base_position;
-    const auto& a = estimate.base_attitude;
-    const Eigen::Quaterniond turn(a[0], a[1], a[2], a[3]);
-    if (!(std::abs(turn.norm() - 1.0) < kUnit)) return;
     Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
-    base.translation() << p[0], p[1], p[2];
-    base.linear() = turn.normalized().toRotationMatrix();
-    if (base.matrix().allFinite()) base_in_world_ = base;
+    base.translation() = vector_from_array(estimate.base_position);
+    base.linear() = quaternion_from_array(estimate.base_attitude).toRotationMatrix();
+    base_in_world_ = base;
   }
 
   const Model& model_;
@@ -191,11 +187,8 @@ Wish wish_from(const Arguments& arguments, const Model& model, ArmGoal& goal) {
     wish.place.translation()[static_cast<Eigen::Index>(k)] = arguments.word_number(k + 1, kAxis[k], -far, far);
   wish.oriented = count == 7;
   if (wish.oriented) {
-    wish.place.linear() =
-        (Eigen::AngleAxisd(arguments.word_number(6, "yaw", -7.0, 7.0), Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(arguments.word_number(5, "pitch", -7.0, 7.0), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(arguments.word_number(4, "roll", -7.0, 7.0), Eigen::Vector3d::UnitX()))
-            .toRotationMatrix();
+    wish.place.linear() = rotation_from_rpy(arguments.word_number(4, "roll", -7.0, 7.0), arguments.word_number(5, "pitch", -7.0, 7.0),
+                                            arguments.word_number(6, "yaw", -7.0, 7.0));
   }
   goal.speed = static_cast<float>(arguments.number("--speed", 0.4, 0.01, 1.0));
   goal.sender_id = random_id();

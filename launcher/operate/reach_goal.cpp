@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
 
 namespace twinbus {
@@ -49,12 +50,9 @@ void aim_hand(const Eigen::Isometry3d& tool_in_ground, bool oriented, const Eige
   Eigen::Isometry3d tool = tool_in_ground;
   if (!oriented && !own) tool.linear() = (hand_in_ground * tool_in_hand).linear();
   const Eigen::Isometry3d hand = tool * tool_in_hand.inverse();
-  const Eigen::Vector3d place = oriented || !own ? hand.translation() : tool_in_ground.translation();
   goal.kind = oriented || !own ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
-  for (std::size_t k = 0; k < 3; ++k) goal.position[k] = place[static_cast<Eigen::Index>(k)];
-  if (goal.kind != ArmGoalKind::kPose) return;
-  const Eigen::Quaterniond turn = Eigen::Quaterniond(hand.linear()).normalized();
-  goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+  Eigen::Map<Eigen::Vector3d>(goal.position.data()) = hand.translation();
+  if (goal.kind == ArmGoalKind::kPose) goal.orientation = array_from_rotation<double>(hand.linear());
 }
 
 }  // namespace twinbus

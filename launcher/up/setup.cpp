@@ -30,8 +30,6 @@ using Pairs = std::vector<std::array<std::string, 2>>;
 constexpr std::size_t kMostPushes = 100;
 constexpr std::size_t kMostPairs = 5000;
 constexpr double kLargestImpulse = 1000.0;  // [N s]
-constexpr int kDeepest = 8;                 // brackets within each other
-constexpr std::uint64_t kLargestSave = std::uint64_t{1} << 53;  // what a page counts to
 
 [[noreturn]] void refuse(const std::string& why) { throw std::runtime_error(why); }
 
@@ -130,7 +128,7 @@ std::string scene_text(const Json& wish, const Model& model, const std::string& 
 }
 
 Json parsed(const std::string& wish) {
-  if (nests_deeper(wish, kDeepest)) refuse("a setup is at most " + std::to_string(kDeepest) + " brackets deep");
+  if (nests_deeper(wish, kDeepestWish)) refuse("a setup is at most " + std::to_string(kDeepestWish) + " brackets deep");
   Json json = Json::parse(wish, nullptr, false);
   if (!json.is_object()) refuse("a setup is a JSON object");
   return json;

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
+#include "robot/description/hand_of.h"
 #include "robot/description/load.h"
 #include "robot/kinematics/inverse_kinematics.h"
 
@@ -111,14 +113,14 @@ std::vector<RobotQuery::Near> RobotQuery::nearest(const std::vector<double>& q, 
 ArmSide RobotQuery::side(const std::string& hand) const {
   if (hand != "left" && hand != "right") throw std::invalid_argument("hand: left or right, not '" + hand + "'");
   const ArmSide side = hand == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  const Hand& there = model_->hands[side == ArmSide::kLeft ? 0 : 1];
-  if (there.link < 0) throw std::invalid_argument("the robot has no " + hand + " hand");
-  if (there.joints.empty()) throw std::invalid_argument("no joint moves the " + hand + " hand");
+  const Hand* there = hand_of(*model_, side == ArmSide::kLeft ? 0 : 1);
+  if (there == nullptr) throw std::invalid_argument("the robot has no " + hand + " hand");
+  if (there->joints.empty()) throw std::invalid_argument("no joint moves the " + hand + " hand");
   return side;
 }
 
 RobotQuery::Reached RobotQuery::inverse(const std::vector<double>& q, const std::string& hand, const Place& place) {
-  const Hand& arm = model_->hands[side(hand) == ArmSide::kLeft ? 0 : 1];
+  const Hand& arm = *hand_of(*model_, side(hand) == ArmSide::kLeft ? 0 : 1);
   const Eigen::Isometry3d target = checked(place);
   this->place(q);
   const int trunk = model_->joints[static_cast<std::size_t>(arm.joints.front())].parent;
@@ -155,8 +157,7 @@ RobotQuery::Path RobotQuery::plan(const std::vector<double>& q, const std::strin
   goal.goal_id = 1;
   goal.kind = place.orientation ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
   Eigen::Map<Eigen::Vector3d>(goal.position.data()) = target.translation();
-  const Eigen::Quaterniond turn(target.linear());
-  goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+  goal.orientation = array_from_rotation<double>(target.linear());
   goal.speed = static_cast<float>(speed);
   const ArmPlan plan = planner_->plan(goal, configuration_, Eigen::Isometry3d::Identity(), seed);
   Path path;

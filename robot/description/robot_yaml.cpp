@@ -14,7 +14,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const char* const kSides[2] = {"left", "right"};
 
-// `at` and `rpy`: a place in the link that `frame` names.
+}  // namespace
+
 Eigen::Isometry3d read_offset(const ConfigNode& node) {
   const std::vector<double> at = node.numbers("at", 3, {0.0, 0.0, 0.0});
   const std::vector<double> rpy = node.numbers("rpy", 3, {0.0, 0.0, 0.0});
@@ -31,6 +32,8 @@ Eigen::Isometry3d read_offset(const ConfigNode& node) {
   }
   return offset;
 }
+
+namespace {
 
 void read_limb(const ConfigNode& node, LimbEntry& entry) {
   entry.present = true;

@@ -52,4 +52,7 @@ struct RobotYaml {
 // Throws std::runtime_error naming file, line and the nearest valid key.
 RobotYaml parse_robot_yaml(const std::string& text, const std::string& file);
 
+// `at` and `rpy` of a node: a place in the link that its `frame` names.
+Eigen::Isometry3d read_offset(const ConfigNode& node);
+
 }  // namespace twinbus

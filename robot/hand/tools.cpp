@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 #include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
 #include "common/text/strict_yaml.h"
 #include "common/text/xml.h"
+#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -54,12 +54,10 @@ Eigen::Isometry3d tool_in_hand(const Model& model, const Hand& hand, const std::
     const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
     if (const ConfigNode tools = top.has("tools") ? top.map("tools") : top; top.has("tools") && tools.has(text)) {
       const ConfigNode tool = tools.map(text);
-      const std::vector<double> at = tool.numbers("at", 3, {0.0, 0.0, 0.0}), rpy = tool.numbers("rpy", 3, {0.0, 0.0, 0.0});
-      if (!std::all_of(at.begin(), at.end(), [](double v) { return std::abs(v) <= kFar; })) tool.fail("at", "must be within 5 m");
+      const Eigen::Isometry3d offset = read_offset(tool);
       const std::string frame = tool.text("frame");
       tool.finish();
-      const double xyz_rpy[6] = {at[0], at[1], at[2], rpy[0], rpy[1], rpy[2]};
-      return link_in_hand(model, hand, frame, tool.where("frame")) * placed(xyz_rpy);
+      return link_in_hand(model, hand, frame, tool.where("frame")) * offset;
     }
   }
   return link_in_hand(model, hand, text, "tool");

@@ -158,7 +158,12 @@ PEER_STEPS = (5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1.5e-4, 1.2e-4, 1e-4, 6e-5, 5e-5, 4.
 
 def chosen_by_accuracy(lab, orders, scene, wanted):
     """(engine, step) that the ladder of `accuracy` delivers for an error [m], or None.  orders: engines of order 1, 2, 3."""
-    words = call(lab.bin / "accuracy_choice", scene, wanted)[0].split()
+    said = call(lab.bin / "accuracy_choice", scene, wanted)
+    if not said:
+        return None
+    words = said[0].split()
+    if words[0] != "chosen":
+        print(f"{scene}: accuracy chooses none for {1e3 * wanted:g} mm: {' '.join(words[1:])}")
     return (orders[int(words[1]) - 1], float(words[2])) if words[0] == "chosen" else None
 
 

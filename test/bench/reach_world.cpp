@@ -181,7 +181,7 @@ class World {
       const ArmPlan plan = ask(goal);
       if (plan.status != ArmPathStatus::kOk) {
         refusal = said_.empty() ? describe(plan) : said_;
-        if (!moved && !(no_way(plan) && truly_refused(goal))) refusal += " (UNTRUE)";
+        if (!moved && !(plan.no_way() && truly_refused(goal))) refusal += " (UNTRUE)";
         break;
       }
       moved = true;
@@ -434,9 +434,6 @@ class World {
         Eigen::Quaterniond(is.linear()).angularDistance(Eigen::Quaterniond(o[0], o[1], o[2], o[3]));
   }
 
-  // To a goal that is one: none found, or none that the joints can hold the arm on.
-  static bool no_way(const ArmPlan& plan) { return plan.status == ArmPathStatus::kTimeLimit || plan.heavy == ArmPlan::Heavy::kOnTheWay; }
-
   bool truly_refused(ArmGoal goal) {
     look();
     const Configuration now = posture_;
@@ -450,7 +447,7 @@ class World {
     planner.set_obstacles(with_held());
     planner.set_balancing(model_.soles[0].link >= 0);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      if (!no_way(planner.plan(goal, now, ground_of(model_, kinematics_), seed))) return false;
+      if (!planner.plan(goal, now, ground_of(model_, kinematics_), seed).no_way()) return false;
     }
     return true;
   }

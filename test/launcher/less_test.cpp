@@ -115,7 +115,7 @@ int chosen_where(const std::function<double(const Scene&)>& off, Ladder& ladder,
 
 TEST(Less, WhereLinksOfARobotTouchTheRestIsLeftOutAllTheSame) {
   Ladder ladder;
-  const int chosen = chosen_where([](const Scene& asked) { return !asked.self_contact; }, ladder);
+  const int chosen = chosen_where([](const Scene& asked) { return asked.self_contact ? 0.0 : 0.1; }, ladder);
   ASSERT_GE(chosen, 0);
   const Less& less = ladder.rungs[static_cast<std::size_t>(chosen)].less;
   EXPECT_FALSE(less.apart);
@@ -140,7 +140,7 @@ TEST(Less, WhereTheYardstickIsChosenASmallerSetIsTriedAfterOneThatFails) {
 TEST(Less, WhereStandingStillIsTooMuchJointsAreHeld) {
   Ladder ladder;
   const auto still = [](const Scene& asked) {
-    return std::find(asked.held.begin(), asked.held.end(), "base") != asked.held.end();
+    return std::find(asked.held.begin(), asked.held.end(), "base") != asked.held.end() ? 0.1 : 0.0;
   };
   const int chosen = chosen_where(still, ladder);
   ASSERT_GE(chosen, 0);

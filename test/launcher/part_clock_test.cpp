@@ -73,11 +73,11 @@ TEST(PartClock, OfARunHasEveryPart) {
   const double whole = thread_cpu_seconds() - begun;
   double sum = 0.0;
   for (const PartClock::Part& part : clock.parts()) sum += part.seconds;
-  EXPECT_GT(sum, 0.3 * whole);
+  EXPECT_GT(sum, 0.7 * whole);  // looking at the clock is nobody's
   EXPECT_LE(sum, 1.01 * whole);
   for (const char* name : {"dynamics", "contacts, found", "contacts, solved", "energy and doubts", "sensors and TRUTH", "controller", "guard",
                            "messages", "figures of the run", "all else"})
-    EXPECT_GE(seconds_of(clock, name), 0.0) << name;
+    EXPECT_GT(seconds_of(clock, name), 0.0) << name;
 }
 
 }  // namespace

@@ -331,11 +331,18 @@ TEST(TurningMoment, OfTwoBodiesIsThatOfBoth) {
   config.loose = {round_body(SolidShape::kSphere, 0.1 + kBallRadius), test::loose_box("plate", 1.0, {0.3, 0.3, 0.1}, low, 1e5, 150.0)};
   config.loose[0].start.angular_velocity.z() = 5.0;
   config.loose[1].friction = 0.0;
-  // Nothing of the ground: it would slow the plate too.
+  config.loose[1].start.angular_velocity.z() = -3.0;
   const Model model = test::bystander();
   const auto world = make_world(model, config);
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  const double ball = world->loose(0).angular_velocity.z(), plate = world->loose(1).angular_velocity.z();
   for (int i = 0; i < 50; ++i) ASSERT_EQ(world->step(), Status::kOk);
-  EXPECT_LT(world->loose(0).angular_velocity.z(), 4.8);
+  // The ground slows the plate too, with all of the weight.
+  const double seconds = 50 * config.step, of_pair = 3e-3 * kMass * kGravity, of_ground = 3e-3 * (kMass + 1.0) * kGravity;
+  const double of_ball = 0.4 * kMass * kBallRadius * kBallRadius, of_plate = (0.3 * 0.3 + 0.3 * 0.3) / 12.0;
+  EXPECT_NEAR(world->loose(0).angular_velocity.z() - ball, -seconds * of_pair / of_ball, 0.05 * seconds * of_pair / of_ball);
+  EXPECT_NEAR(world->loose(1).angular_velocity.z() - plate, seconds * (of_pair + of_ground) / of_plate,
+              0.05 * seconds * (of_pair + of_ground) / of_plate);
   config.torsional_friction = 0.0;
   const auto free = make_world(model, config);
   for (int i = 0; i < 50; ++i) ASSERT_EQ(free->step(), Status::kOk);

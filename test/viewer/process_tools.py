@@ -93,6 +93,17 @@ def binary(folder, name):
     return path
 
 
+def stack_with_page(check, bin_folder, runs):
+    """`up stand` in runs, when its page is served: the process, and the line with the address."""
+    up = Process(binary(bin_folder, "twinbus"), "up", "stand", "--no-fifo", env=dict(os.environ, TWINBUS_RUNS=runs))
+    line = up.wait_for("up: viewer:", 60) or ""
+    if not line:
+        print(up.seen, up.drain())
+        check(False, "the stack runs")
+        check.finish()
+    return up, line
+
+
 def fake_robot_seen_from_afar(bin_folder):
     """A fake robot, with FAR as an address of this machine; without the right to add one the test is skipped."""
     if subprocess.run(["ip", "addr", "add", f"{FAR}/32", "dev", "lo"]).returncode != 0:

@@ -4,14 +4,13 @@
     robot_sheet_test.py BIN_FOLDER [SCREENSHOT.png]        in a private network namespace
 """
 import glob
-import os
 import re
 import shutil
 import sys
 import tempfile
 
 from browser import Browser, find_browser
-from process_tools import Checks, Process, binary, console_is_clean
+from process_tools import Checks, console_is_clean, stack_with_page
 
 if not find_browser():
     print("no chromium: skipped")
@@ -19,12 +18,7 @@ if not find_browser():
 check = Checks()
 bin_folder = sys.argv[1]
 runs = tempfile.mkdtemp()
-up = Process(binary(bin_folder, "twinbus"), "up", "stand", "--no-fifo", env=dict(os.environ, TWINBUS_RUNS=runs))
-line = up.wait_for("up: viewer:", 60) or ""
-if not line:
-    print(up.seen, up.drain())
-    check(False, "the stack runs")
-    check.finish()
+up, line = stack_with_page(check, bin_folder, runs)
 page = Browser(re.search(r"http://\S+", line)[0], (1280, 900))
 check(page.wait_for("globalThis.twinbus?.figures.first", 60), "the page draws the robot")
 page.value("document.body.focus(); twinbus.stage.follow = false")
@@ -176,7 +170,6 @@ check(open(file[0]).read() == text, "and nothing is written")
 press("#limb-undo")
 
 # --- used ---
-run = page.value("twinbus.figures.drawn && document.getElementById('rate-tick').textContent")
 press("#start-anew")
 check(up.wait_for("set up as the page asked", 60) is not None, "Start anew starts with it")
 length = sole["edges"]["front"] + sole["edges"]["back"]

@@ -12,18 +12,13 @@ import sys
 import tempfile
 import time
 
-from process_tools import Checks, Process, binary
+from process_tools import Checks, stack_with_page
 from web_socket import WebSocket
 
 check = Checks()
 bin_folder = sys.argv[1]
 runs = tempfile.mkdtemp()
-up = Process(binary(bin_folder, "twinbus"), "up", "stand", "--no-fifo", env=dict(os.environ, TWINBUS_RUNS=runs))
-line = up.wait_for("up: viewer:", 60) or ""
-if not line:
-    print(up.seen, up.drain())
-    check(False, "the stack runs")
-    check.finish()
+up, line = stack_with_page(check, bin_folder, runs)
 port, token = re.search(r":(\d+)/#token=(\w+)", line).groups()
 port = int(port)
 folder = glob.glob(runs + "/*/setup")[0]

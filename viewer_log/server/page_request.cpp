@@ -13,8 +13,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int64_t kLargestId = (std::int64_t{1} << 53) - 1;
-constexpr std::int64_t kLargestSave = std::int64_t{1} << 53;
-constexpr int kDeepest = 8;  // brackets within each other; what copies or writes them calls itself for each
 constexpr double kLargestJoint = 1000.0;  // [rad or m]; the robot's own limits are looked at where the robot is known
 constexpr double kFarthestHand =
     1000.0;  // a robot that has walked for long may be far from where it began [m]
@@ -204,7 +202,7 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     problem = "watching only: open the address that the viewer printed to get the buttons";
     return false;
   }
-  if (nests_deeper(text, kDeepest)) {
+  if (nests_deeper(text, kDeepestWish)) {
     problem = "not understood: a request is at most 8 brackets deep";
     return false;
   }
