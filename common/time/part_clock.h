@@ -25,6 +25,9 @@ class PartClock {
     long times = 0;        // it was begun
   };
 
+  // now: seconds; cost: of one look at it, which is nobody's.
+  explicit PartClock(double (*now)() = thread_cpu_seconds, double cost = cost_of_thread_clock()) noexcept : now_(now), cost_(cost) {}
+
   // While it lives, the scopes of this thread are of that clock.
   class Running {
    public:
@@ -50,7 +53,7 @@ class PartClock {
   }
   // Up to now it was the innermost part; looking at the clock is nobody's.
   void look() noexcept {
-    const double now = thread_cpu_seconds();
+    const double now = now_();
     if (depth_ > 0) parts_[open_[std::min(depth_, kDeepest) - 1]].seconds += std::max(0.0, now - last_ - cost_);
     last_ = now;
   }
@@ -72,7 +75,8 @@ class PartClock {
   std::array<Part, kMost> parts_{};
   std::size_t count_ = 0, depth_ = 0;
   std::array<std::size_t, kDeepest> open_{};
-  double last_ = 0.0, cost_ = cost_of_thread_clock();
+  double (*now_)();
+  double cost_, last_ = 0.0;
 };
 
 // From here to the end of the block is a part; name: lives as long as the clock.
