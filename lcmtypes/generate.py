@@ -316,12 +316,12 @@ def samples_file(types: list[Type]) -> str:
 def older_messages(types: list[Type], files: list[pathlib.Path]) -> str:
     lines = ['// Included by lcmtypes/bus/older.cpp.', '#pragma once', '', 'namespace twinbus {', 'namespace {']
     rows = []
-    for file in files:
+    for file in files:  # of one type there may be several; as_before() makes the first of them
         was, = lcm_types.parse(file.read_text(encoding='utf-8'), f'older/{file.name}')
         now = next((type_.said for type_ in types if type_.said.name == was.name), None)
         if now is None:
             raise Mistake(f'older/{file.name}: there is no {was.name} now')
-        older, name = lcm_types.older_of(now, was), was.name.title().replace('_', '')
+        older, name = lcm_types.older_of(now, was), file.stem.title().replace('_', '')
         for kind, numbers in (('Older', was.fingerprint().to_bytes(8, 'big')), ('Blank', older.blank)):
             lines.append(f'constexpr std::uint8_t k{kind}{name}[] = {{{", ".join(map(str, numbers))}}};')
         lines.append(f'constexpr OlderPart kParts{name}[] = {{{", ".join(f"{{{a}, {b}, {c}}}" for a, b, c in older.parts)}}};')

@@ -280,6 +280,7 @@ Status SimAdaptor::read(RobotState& state, double) {
   state.source_time_ns = std::llround(1e9 * s.step * static_cast<double>(s.steps));
   s.truth.sim_time = s.step * static_cast<double>(s.steps);
   fill_truth(*s.model, s.sensors->feet(), *s.world, s.standing_height, s.truth);
+  fill_doubts(s.watch->counts(), s.truth);
   s.time_pace();
   return status;
 }

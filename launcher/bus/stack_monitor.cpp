@@ -95,6 +95,22 @@ void StackMonitor::on_truth(const SimTruth& truth, std::int64_t now_ns) {
   f.base[1] = truth.base_position[1];
   f.base[2] = yaw_of(truth.base_attitude);
   f.realtime_factor = static_cast<double>(truth.realtime_factor);
+  count_doubts(truth);
+}
+
+// Another run is another world, and so is one that begins anew.
+void StackMonitor::count_doubts(const SimTruth& truth) {
+  RunFigures& f = figures_;
+  const bool anew = truth.run_id != last_truth_.run_id || truth.sim_time < last_truth_.sim_time;
+  const std::int64_t before = anew ? 0 : last_truth_.doubted_steps;
+  if (truth.doubted_steps > before) {
+    if (f.doubted_since < 0.0) f.doubted_since = before > 0 ? truth.sim_time : truth.doubted_since;
+    f.doubted_steps += truth.doubted_steps - before;
+    f.last_doubt = truth.last_doubt;
+    for (std::size_t i = 0; i < f.doubted.size(); ++i)
+      f.doubted[i] += std::max(0, truth.doubted[i] - (anew ? 0 : last_truth_.doubted[i]));
+  }
+  last_truth_ = truth;
 }
 
 void StackMonitor::on_guard(const GuardReport& report, std::int64_t now_ns) {

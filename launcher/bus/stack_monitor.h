@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "launcher/bus/meter.h"
@@ -44,6 +45,10 @@ struct RunFigures {
   double base[3] = {0.0, 0.0, 0.0};  // x, y [m], yaw [rad]
   double realtime_factor = 0.0;
   std::int64_t self_collision_ticks = 0;
+  std::array<std::int64_t, std::tuple_size_v<decltype(SimTruth::doubted)>> doubted{};  // physics steps, as TRUTH has them
+  std::int64_t doubted_steps = 0;
+  double doubted_since = -1.0;  // sim_time of the first of them [s]
+  StepDoubt last_doubt = StepDoubt::kNone;
 };
 
 class StackMonitor {
@@ -82,6 +87,8 @@ class StackMonitor {
   void restart_counts();
 
  private:
+  void count_doubts(const SimTruth& truth);
+
   std::map<std::int64_t, SeenSource> sources_;
   std::map<std::int64_t, SeenProcess> processes_;
   Meter state_, command_, guard_, truth_, controller_meter_;
@@ -91,6 +98,7 @@ class StackMonitor {
   RunFigures figures_;
   std::vector<std::string> events_;
   double last_truth_time_ = -1.0;
+  SimTruth last_truth_{};  // what its world doubted by then is not counted twice
 };
 
 // Words for what messages carry as numbers.

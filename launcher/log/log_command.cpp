@@ -16,6 +16,7 @@
 #include "common/text/formatted.h"
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/log/log_channels.h"
+#include "launcher/log/log_doubts.h"
 #include "launcher/log/log_output.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
@@ -170,6 +171,7 @@ What was said, asked, stopped and switched, with time and tick.
         found != senders.end() && (found->second == ProcessKind::kSimulator || found->second == ProcessKind::kBridge);
     return source ? "by the scene" : who(sender);
   };
+  LogDoubts doubts;
   std::map<std::int64_t, std::string> switched;  // who asked a source for a switch, by its run
   const auto stop_line = [&](const StopRequest& m) -> std::string {
     if (m.kind == StopKind::kNone) return "clear asked, " + who(m.sender_id);
@@ -185,7 +187,9 @@ What was said, asked, stopped and switched, with time and tick.
            arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
              if (!event.channel.starts_with(prefix)) return true;
              const std::string_view name = event.channel.substr(prefix.size());
-             if (name == channel::kState) {
+             if (name == channel::kTruth) {
+               for (const std::string& sentence : doubts.add(name, event.data)) line(event, last.tick, sentence);
+             } else if (name == channel::kState) {
                RobotState s;
                if (decode(event.data, s) != Status::kOk) return true;
                if (s.run_id != last.run_id || s.term != last.term)

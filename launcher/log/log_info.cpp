@@ -8,6 +8,7 @@
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/commands/commands.h"
+#include "launcher/log/log_doubts.h"
 #include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/wire.h"
@@ -16,6 +17,19 @@
 namespace twinbus {
 
 namespace {
+
+constexpr double kEnd = 1.0;  // of a log, in which the newest TRUTH is looked for [s]
+
+// Of the world that ran last: what it counted is in the end of the log.
+std::string doubts_at_the_end(const LogSummary& summary, const std::string& file) {
+  LogDoubts doubts;
+  const double seconds = 1e-6 * static_cast<double>(summary.last_utime - summary.first_utime);
+  (void)scan_log(file, std::max(0.0, seconds - kEnd), kWholeLog, [&](const LogEvent& event) {
+    (void)doubts.add(event.channel, event.data);
+    return true;
+  });
+  return doubts.text();
+}
 
 void print(const LogSummary& summary, const LogGaps* gaps, const LogReader& log,
            const std::string& file) {
@@ -53,6 +67,7 @@ Channels, counts, rates and duration; of our own logs from their index, however 
   if (!arguments.has("--check")) {
     if (const std::optional<LogSummary> summary = summary_of_index(file)) {
       print(*summary, nullptr, LogReader(file), file);
+      std::printf("%s", doubts_at_the_end(*summary, file).c_str());
       std::printf("counted by the index of the log; damage in between shows with --check, which reads all\n");
       return 0;
     }
@@ -60,12 +75,14 @@ Channels, counts, rates and duration; of our own logs from their index, however 
   LogSummary summary;
   LogCheck check;
   LogGaps gaps;
+  LogDoubts doubts;
   LogReader reader(file);
   summary.first_utime = first_time(reader, file);
   const bool thorough = arguments.has("--check");
   const LogDamage found = scan_log(file, 0.0, kWholeLog, [&](const LogEvent& event) {
     count_event(event, summary.channels);
     summary.last_utime = std::max(summary.last_utime, event.utime);
+    (void)doubts.add(event.channel, event.data);
     if (thorough) {
       check.add(event);
       gaps.add(event);
@@ -73,6 +90,7 @@ Channels, counts, rates and duration; of our own logs from their index, however 
     return true;
   });
   print(summary, thorough ? &gaps : nullptr, reader, file);
+  std::printf("%s", doubts.text().c_str());
   if (!thorough) return 0;
   const std::string damage = damage_text(found);
   std::printf("%s\n", damage.empty() ? "no damage" : damage.c_str());

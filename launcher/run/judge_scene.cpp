@@ -119,19 +119,6 @@ void judge_touch(const TouchWatch& watch, const TouchAsked& asked,
   }
 }
 
-// What the engine itself says of its steps.
-std::string doubts_line(const TrustCounts& trust) {
-  std::string line = "not to be trusted: " + std::to_string(trust.doubted) + " physics steps (";
-  bool first = true;
-  for (std::size_t i = 0; i < kDoubts; ++i) {
-    if (trust.steps[i] == 0) continue;
-    line +=
-        (first ? "" : ", ") + std::string(kDoubtNames[i]) + " " + std::to_string(trust.steps[i]);
-    first = false;
-  }
-  return line + formatted("), the first at %.3f s: %s\n", trust.first_at, kDoubtNames[static_cast<std::size_t>(trust.first)]);
-}
-
 }  // namespace
 
 RunRequest request_of(const std::string& command, const Arguments& arguments, const Scene& scene) {
@@ -314,7 +301,7 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
     lines += formatted("robot %s ended %.1f mm from where it began, tilt %.2f degrees\n",
                        run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
   }
-  if (run.trust().doubted > 0) lines += doubts_line(run.trust());
+  if (run.trust().doubted > 0) lines += doubts_line(run.trust()) + "\n";
   if (run.energy().begun()) {
     lines += formatted("energy %.4f J, at most %.2e J off\n", run.energy().first(), run.energy().drift());
   }

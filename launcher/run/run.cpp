@@ -189,7 +189,7 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   json["travel_m"] = number(walked.travel());
   if (choice != nullptr) json["accuracy"] = nlohmann::ordered_json::parse(accuracy_json(*choice, accuracy, cost_of(run)));
   const TrustCounts& trust = run.trust();
-  auto& doubted = json["doubted_steps"];
+  auto& doubted = json["doubted_steps"];  // those after the last TRUTH too
   doubted["any"] = trust.doubted;
   for (std::size_t i = 0; i < kDoubts; ++i) doubted[kDoubtNames[i]] = trust.steps[i];
   doubted["first_at_s"] = trust.doubted > 0 ? number(trust.first_at) : nlohmann::ordered_json();

@@ -32,7 +32,29 @@ nlohmann::json number(double value) {
   return value;
 }
 
+// As TRUTH has told them.
+TrustCounts doubts_of(const RunFigures& figures) {
+  static_assert(std::tuple_size_v<decltype(figures.doubted)> == kDoubts);
+  TrustCounts counts;
+  std::copy(figures.doubted.begin(), figures.doubted.end(), counts.steps.begin());
+  counts.doubted = figures.doubted_steps;
+  counts.first_at = figures.doubted_since;
+  return counts;
+}
+
 }  // namespace
+
+std::string doubts_line(const TrustCounts& trust) {
+  if (trust.doubted == 0) return "";
+  std::string line = "not to be trusted: " + std::to_string(trust.doubted) + " physics steps";
+  const char* between = " (";
+  for (std::size_t i = 0; i < kDoubts; ++i) {
+    if (trust.steps[i] == 0) continue;
+    line += between + std::string(kDoubtNames[i]) + " " + std::to_string(trust.steps[i]);
+    between = ", ";
+  }
+  return line + formatted("), the first at %.3f s", trust.first_at);
+}
 
 MissedCounts missed_so_far(const StackMonitor& seen, std::int64_t now_ns) {
   MissedCounts counts;
@@ -83,6 +105,7 @@ RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const Miss
   verdict.fifo = real_time_of(seen, now_ns) >= 1;
   verdict.missed_allowed = verdict.fifo ? kMissedWithFifo : kMissedWithoutFifo;
   verdict.fell = seen.figures().fell;
+  verdict.doubts = doubts_line(doubts_of(seen.figures()));
   if (const SeenSource* active = seen.active(now_ns)) {
     if (active->status.role == Role::kStopped) {
       verdict.failures.push_back(std::string("the source is stopped (") +
@@ -170,6 +193,7 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
                               verdict.answer_median_us, verdict.answer_p99_us));
   }
   lines.push_back(verdict.fell ? "the robot fell" : "no fall");
+  if (!verdict.doubts.empty()) lines.push_back(verdict.doubts);
   for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);
   if (verdict.passed) lines.push_back("passed");
   return lines;
@@ -199,6 +223,11 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["slip_max_mm"] = number(1e3 * f.slip_max);
   report["penetration_max_mm"] = number(1e3 * f.penetration_max);
   report["self_collision_ticks"] = f.self_collision_ticks;
+  const TrustCounts trust = doubts_of(f);
+  auto& doubted = report["doubted_steps"];
+  doubted["any"] = trust.doubted;
+  for (std::size_t i = 0; i < kDoubts; ++i) doubted[kDoubtNames[i]] = trust.steps[i];
+  doubted["first_at_s"] = trust.doubted > 0 ? number(trust.first_at) : nlohmann::json();
   report["foot_force_rms_error_n"] = nullptr;  // needs the reference, which only `run` has
   report["state_hash"] =
       state_hash.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state_hash);

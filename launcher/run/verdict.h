@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "launcher/bus/stack_monitor.h"
+#include "sim/world/step_trust.h"
 
 namespace twinbus {
 
@@ -54,6 +55,7 @@ struct RunVerdict {
   bool fell = false;
   bool passed = false;
   std::vector<std::string> failures;  // one sentence each
+  std::string doubts{};               // what the simulator says of its own steps: doubts_line()
   std::vector<std::string> left_out;  // what was asked and could not be judged: the run is only a part of its scene
 };
 
@@ -64,6 +66,9 @@ std::string real_time_text(int real_time, bool patient = false);
 
 RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const MissedCounts& start,
                  std::int64_t now_ns);
+
+// Which physics steps are not to be trusted, a line for people; empty: all are.
+std::string doubts_line(const TrustCounts& trust);
 
 // Lines for people.
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request);

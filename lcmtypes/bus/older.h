@@ -13,7 +13,8 @@ namespace twinbus {
 // and bytes are.
 std::span<const std::uint8_t> renewed(std::span<const std::uint8_t> bytes, std::span<std::uint8_t> room) noexcept;
 
-// The bytes that a message of now had in the version before, written to room; none when there is no other version.
+// The bytes that a message of now had in the version before (of several: in that whose file comes first), written to room; none when there is
+// no other version.
 std::span<const std::uint8_t> as_before(std::span<const std::uint8_t> bytes, std::span<std::uint8_t> room) noexcept;
 
 }  // namespace twinbus

@@ -395,6 +395,10 @@ class sim_truth_t(Message):
     contact_count: int = ...  # rows in use, at most 8
     foot_count: int = ...  # feet in use
     fell: int = ...
+    last_doubt: int = ...  # of the newest physics step that the engine itself does not trust: 1 unconverged "contacts that did not settle", 2 unsettled "a joint on a wrong piece of its law", 3 energy gained, 4 first seen deep "a contact first seen too deep", 5 tunnelling, 6 too coarse "a step that is too coarse"
+    doubted: NDArray[np.int32] = ...  # [6] such steps since the simulated world began, by that number less one; one step may have several
+    doubted_steps: int = ...  # with any
+    doubted_since: float = ...  # sim_time of the first of them [s]; 0: there is none
 
 
 @dataclass(eq=False)

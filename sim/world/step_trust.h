@@ -67,7 +67,7 @@ struct TrustCounts {
   std::array<long, kDoubts> steps{};  // with that doubt
   long doubted = 0;                   // with any
   double first_at = -1.0;             // the first of them [s]
-  Doubt first = Doubt::kUnconverged;
+  Doubt first = Doubt::kUnconverged, last = Doubt::kUnconverged;
   double energy_gain = 0.0;  // the most in a step [J]
   double first_depth = 0.0;  // the most [m]
 
@@ -75,11 +75,11 @@ struct TrustCounts {
     energy_gain = std::max(energy_gain, gain);
     first_depth = std::max(first_depth, step.first_depth);
     if (!step.any()) return;
+    const auto worst = std::find(step.doubt.begin(), step.doubt.end(), true) - step.doubt.begin();
+    last = static_cast<Doubt>(worst);
     if (doubted++ == 0) {
       first_at = time;
-      for (std::size_t i = kDoubts; i-- > 0;) {
-        if (step.doubt[i]) first = static_cast<Doubt>(i);
-      }
+      first = last;
     }
     for (std::size_t i = 0; i < kDoubts; ++i) steps[i] += step.doubt[i] ? 1 : 0;
   }

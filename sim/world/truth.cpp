@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "lcmtypes/msg/labels.h"
 #include "robot/estimation/support_polygon.h"
 
 namespace twinbus {
@@ -90,6 +91,16 @@ void fill_truth(const Model& model, const FeltFeet& feet, const World& world, do
   truth.zmp_margin = support.count() > 0 ? static_cast<float>(support.margin(zmp)) : 0.0F;
   truth.fell = model.floating_base && (!(world.com().z() > 0.5 * standing_height) ||
                                        !(now.base.linear()(2, 2) > kFallenTilt));
+}
+
+void fill_doubts(const TrustCounts& counts, SimTruth& truth) noexcept {
+  static_assert(std::tuple_size_v<decltype(truth.doubted)> == kDoubts);
+  static_assert(static_cast<std::size_t>(last_of(StepDoubt{})) == kDoubts);
+  constexpr long kMost = 1 << 30;
+  truth.doubted_steps = static_cast<std::int32_t>(std::min(counts.doubted, kMost));
+  for (std::size_t i = 0; i < kDoubts; ++i) truth.doubted[i] = static_cast<std::int32_t>(std::min(counts.steps[i], kMost));
+  truth.last_doubt = counts.doubted > 0 ? static_cast<StepDoubt>(static_cast<int>(counts.last) + 1) : StepDoubt::kNone;
+  truth.doubted_since = counts.doubted > 0 ? counts.first_at : 0.0;
 }
 
 }  // namespace twinbus

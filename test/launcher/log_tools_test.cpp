@@ -175,5 +175,37 @@ TEST_F(LogTools, ACompareEndsWhereTheWorldIsBegunAnew) {
   EXPECT_TRUE(says("where the world was begun anew")) << said_;
 }
 
+TEST_F(LogTools, WhatTheSimulatorDoubtsIsSaidOncePerKindAndCountedInTheEnd) {
+  ticks(3, 1, 0, 3);
+  SimTruth truth;
+  truth.run_id = 3;
+  for (int i = 0; i < 40; ++i) {
+    truth.sim_time = 0.1 * i;
+    if (i == 20) {
+      truth.doubted_since = truth.sim_time;
+      truth.last_doubt = StepDoubt::kUnconverged;
+    }
+    if (i >= 20) truth.doubted_steps = truth.doubted[0] = i - 19;
+    if (i >= 30) truth.doubted[4] = 1;
+    write("TRUTH", truth);
+  }
+  writer_->close();
+  const auto said = [&](int (*tool)(const std::vector<std::string>&), const std::vector<std::string>& words) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(tool(words), 0);
+    return testing::internal::GetCapturedStdout();
+  };
+  const std::string events = said(&log_events, {file_});
+  EXPECT_NE(events.find("simulator: doubts a physics step: contacts that did not settle\n"), std::string::npos) << events;
+  EXPECT_EQ(events.find("contacts that did not settle"), events.rfind("contacts that did not settle"));
+  EXPECT_NE(events.find("simulator: doubts a physics step: tunnelling\n"), std::string::npos) << events;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{file_}, {file_, "--check"}}) {
+    const std::string info = said(&log_info, words);
+    EXPECT_NE(info.find("not to be trusted: 20 physics steps of run 3 since its 2.000 s (contacts that did not settle 20, tunnelling 1)"),
+              std::string::npos)
+        << info;
+  }
+}
+
 }  // namespace
 }  // namespace twinbus

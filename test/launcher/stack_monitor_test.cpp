@@ -65,6 +65,39 @@ TEST(StackMonitor, FiguresAreTheWorstOfTheRun) {
   EXPECT_FALSE(seen.figures().fell);
 }
 
+// TRUTH counts since its world began; the figures since the measured part of the run did, over several worlds.
+TEST(StackMonitor, DoubtedStepsAreCountedOnceAndOverSeveralWorlds) {
+  StackMonitor seen;
+  SimTruth truth;
+  const auto tell = [&](std::int64_t run, double time, int deep, int coarse) {
+    truth.run_id = run;
+    truth.sim_time = time;
+    truth.doubted[3] = deep;
+    truth.doubted[5] = coarse;
+    truth.doubted_steps = deep + coarse;
+    truth.last_doubt = coarse > 0 ? StepDoubt::kTooCoarse : StepDoubt::kFirstSeenDeep;
+    truth.doubted_since = 0.004;
+    seen.on_truth(truth, 0);
+  };
+  tell(7, 0.002, 0, 0);
+  EXPECT_EQ(seen.figures().doubted_steps, 0);
+  tell(7, 0.010, 3, 0);
+  tell(7, 0.010, 3, 0);
+  EXPECT_EQ(seen.figures().doubted_steps, 3);
+  EXPECT_EQ(seen.figures().doubted_since, 0.004);
+  seen.restart_counts();
+  tell(7, 0.020, 4, 2);
+  EXPECT_EQ(seen.figures().doubted_steps, 3);
+  EXPECT_EQ(seen.figures().doubted[3], 1);
+  EXPECT_EQ(seen.figures().doubted[5], 2);
+  EXPECT_EQ(seen.figures().doubted_since, 0.020);
+  EXPECT_EQ(seen.figures().last_doubt, StepDoubt::kTooCoarse);
+  tell(8, 0.004, 5, 0);
+  EXPECT_EQ(seen.figures().doubted_steps, 8);
+  tell(8, 0.002, 1, 0);  // begun anew
+  EXPECT_EQ(seen.figures().doubted_steps, 9);
+}
+
 TEST(StackMonitor, WordsForNumbersOutsideTheListAreUnknown) {
   EXPECT_STREQ(label(static_cast<Role>(99)), "unknown");
   EXPECT_STREQ(source_name(static_cast<SourceKind>(-1)), "unknown");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace twinbus {
@@ -171,6 +172,28 @@ TEST(Verdict, TheReportHasThePromisedKeys) {
   }
   EXPECT_EQ(report["missed_ticks"], 3);
   EXPECT_EQ(report["passed"], true);
+}
+
+TEST(Verdict, WhatTheSimulatorDoubtsIsInLinesAndReport) {
+  FakeRun run(1, 0, 1);
+  EXPECT_EQ(run.verdict().doubts, "");
+  SimTruth truth;
+  truth.run_id = 7;
+  truth.sim_time = 0.5;
+  truth.doubted = {2, 0, 0, 1, 0, 0};
+  truth.doubted_steps = 3;
+  truth.doubted_since = 0.25;
+  run.seen.on_truth(truth, run.end);
+  const RunVerdict verdict = run.verdict();
+  const std::string said = "not to be trusted: 3 physics steps (unconverged 2, first_seen_deep 1), the first at 0.250 s";
+  EXPECT_EQ(verdict.doubts, said);
+  const std::vector<std::string> lines = verdict_lines(verdict, run.request);
+  EXPECT_NE(std::find(lines.begin(), lines.end(), said), lines.end());
+  const auto json = nlohmann::json::parse(report_json(verdict, run.request, run.seen, 1.0, ""));
+  EXPECT_EQ(json["doubted_steps"]["any"], 3);
+  EXPECT_EQ(json["doubted_steps"]["unconverged"], 2);
+  EXPECT_EQ(json["doubted_steps"]["tunnelling"], 0);
+  EXPECT_EQ(json["doubted_steps"]["first_at_s"], 0.25);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -155,8 +156,36 @@ TEST(Wire, StateOfOlderLogsIsReadWithItsHandsBehindTheFeet) {
   EXPECT_EQ(decode(older, read), Status::kWrongSize);
 }
 
+// What was not said yet is nothing doubted.
+void doubt_nothing(SimTruth& truth) {
+  truth.doubted = {};
+  truth.doubted_steps = 0;
+  truth.doubted_since = 0.0;
+  truth.last_doubt = StepDoubt::kNone;
+}
+
+// The last thing it says, with the head of that version: 665 bytes.
+TEST(Wire, TruthOfOlderLogsDoubtsNothing) {
+  SimTruth truth = sample<SimTruth>();
+  doubt_nothing(truth);
+  const auto now = bytes_of(truth);
+  ASSERT_EQ(now.size(), 702U);
+  std::array<std::uint8_t, kLargestMessage> room;
+  const std::span<const std::uint8_t> before = as_before(now, room);
+  ASSERT_EQ(before.size(), 665U);
+  EXPECT_TRUE(std::equal(before.begin() + 8, before.end(), now.begin() + 8));
+  std::vector<std::uint8_t> older(now.begin(), now.begin() + 665);
+  put(older, 0, 0x0e322565671b8031U, 8);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), older.begin(), older.end()));
+  SimTruth read = sample<SimTruth>();
+  ASSERT_EQ(decode(older, read), Status::kOk);
+  EXPECT_EQ(bytes_of(read), now);
+}
+
+// By hand: where layout_of says the fields are.
 TEST(Wire, TruthOfOlderLogsHasTwoFeet) {
   SimTruth truth = sample<SimTruth>();
+  doubt_nothing(truth);
   truth.foot_count = 2;
   for (std::size_t foot = 2; foot < kMaxFeet; ++foot) {
     truth.foot_position[foot] = truth.foot_force[foot] = {};
@@ -164,12 +193,21 @@ TEST(Wire, TruthOfOlderLogsHasTwoFeet) {
     truth.foot_slip[foot] = 0.0F;
   }
   const auto now = bytes_of(truth);
-  std::array<std::uint8_t, kLargestMessage> room;
-  const std::span<const std::uint8_t> before = as_before(now, room);
-  ASSERT_EQ(before.size(), 487U);
+  std::vector<std::uint8_t> older(now.begin(), now.begin() + 665);
+  const std::map<std::string, std::size_t> numbers = {{"foot_position", 3}, {"foot_attitude", 4}, {"foot_force", 3}, {"foot_slip", 1}};
+  const auto layout = layout_of("sim_truth_t");
+  for (auto element = layout.rbegin(); element != layout.rend(); ++element) {
+    const auto found = numbers.find(element->field);
+    const bool gone = element->field == "foot_count" || (found != numbers.end() && element->index >= 2 * found->second);
+    const auto from = older.begin() + static_cast<std::ptrdiff_t>(gone ? element->offset : 0);
+    if (gone) older.erase(from, from + static_cast<std::ptrdiff_t>(element->size));
+  }
+  ASSERT_EQ(older.size(), 487U);
+  put(older, 0, 0x3793d2020c8b0176U, 8);
   SimTruth read;
-  ASSERT_EQ(decode(before, read), Status::kOk);
+  ASSERT_EQ(decode(older, read), Status::kOk);
   EXPECT_EQ(bytes_of(read), now);
+  std::array<std::uint8_t, kLargestMessage> room;
   EXPECT_TRUE(as_before(bytes_of(sample<StopRequest>()), room).empty());
 }
 

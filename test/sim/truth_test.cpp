@@ -45,5 +45,24 @@ TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   EXPECT_TRUE(truth.fell);
 }
 
+TEST(Truth, HasWhatTheEngineDoubtsOfItsSteps) {
+  TrustCounts counts;
+  SimTruth truth;
+  fill_doubts(counts, truth);
+  EXPECT_EQ(truth.doubted_steps, 0);
+  EXPECT_EQ(truth.last_doubt, StepDoubt::kNone);
+  for (std::size_t i = 0; i < kDoubts; ++i) {
+    StepTrust step;
+    step.doubt[i] = true;
+    counts.add(step, 0.0, 0.1 * static_cast<double>(i + 1));
+    counts.add({}, 0.0, 0.1 * static_cast<double>(i + 1) + 0.05);
+    fill_doubts(counts, truth);
+    EXPECT_EQ(truth.doubted_steps, static_cast<int>(i) + 1);
+    EXPECT_EQ(truth.doubted[i], 1);
+    EXPECT_EQ(static_cast<int>(truth.last_doubt), static_cast<int>(i) + 1);
+    EXPECT_DOUBLE_EQ(truth.doubted_since, 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace twinbus

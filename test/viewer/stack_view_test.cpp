@@ -188,6 +188,29 @@ TEST(Health, SaysTheWorstThingFirst) {
   EXPECT_EQ(assess(view, now + 400 * kMs).level, HealthLevel::kBad);  // the state is silent
 }
 
+TEST(Health, SaysThatTheSimulatorDoubtsItsSteps) {
+  StackView view(model());
+  const std::int64_t now = kStart + 500 * kMs;
+  for (int i = 0; i <= 5; ++i) view.on_state(standing(), kStart + i * 100 * kMs);
+  ControllerStatus controller;
+  controller.mode = Mode::kBalance;
+  controller.zmp_margin = 0.05f;
+  view.on_controller_status(controller, now);
+  SimTruth truth;
+  truth.run_id = standing().run_id;
+  view.on_truth(truth, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kGood);
+  truth.doubted_steps = 12;
+  truth.doubted_since = 3.25;
+  truth.last_doubt = StepDoubt::kUnconverged;
+  view.on_truth(truth, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kWarning);
+  EXPECT_EQ(assess(view, now).text, "The simulator doubts 12 of its steps since 3.25 s, the last for contacts that did not settle.");
+  controller.zmp_margin = 0.004f;  // what is to be done at once comes first
+  view.on_controller_status(controller, now);
+  EXPECT_NE(assess(view, now).text.find("Balance"), std::string::npos);
+}
+
 // A robot whose simulator nobody can ask: its source has seen the fall.
 TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
   StackView view(model());

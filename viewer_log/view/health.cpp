@@ -104,6 +104,12 @@ Health assess(const StackView& view, std::int64_t now_ns) {
             formatted("Slower than real time: factor %.2f", view.realtime_factor()) +
                 (pace_of(view, now_ns) == Pace::kPatient ? ": the simulated world waits for late commands." : ".")};
   }
+  if (view.truth_applies(now_ns) && view.truth().value.doubted_steps > 0) {
+    const SimTruth& truth = view.truth().value;
+    return {HealthLevel::kWarning, formatted("The simulator doubts %d of its steps since %.2f s, the last for ", truth.doubted_steps, truth.doubted_since) +
+                                       label(truth.last_doubt) + ".",
+            "What moves then may be wrong: a smaller step or a higher solver.order, or ./twinbus tune of the scene."};
+  }
   if (pace_of(view, now_ns) == Pace::kSlowed) {
     return {HealthLevel::kGood, formatted("Slowed down on purpose: %.2f times real time.", view.realtime_factor())};
   }

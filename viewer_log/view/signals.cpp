@@ -119,7 +119,8 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
                       {"com", all(t.com)},
                       {"zmp", all(t.zmp)},
                       {"zmp_margin", number(static_cast<double>(t.zmp_margin))},
-                      {"penetration", number(static_cast<double>(t.penetration), 6)}};
+                      {"penetration", number(static_cast<double>(t.penetration), 6)},
+                      {"doubted_steps", t.doubted_steps}};
     for (std::size_t foot = 0; foot < static_cast<std::size_t>(std::clamp<int>(t.foot_count, 0, kMaxFeet)); ++foot) {
       const std::string name = limb_name(view, foot);
       frame["TRUTH"][name + "_force"] = all(t.foot_force[foot], 1);
