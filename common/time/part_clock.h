@@ -26,7 +26,8 @@ class PartClock {
   };
 
   // now: seconds; cost: of one look at it, which is nobody's.
-  explicit PartClock(double (*now)() = thread_cpu_seconds, double cost = cost_of_thread_clock()) noexcept : now_(now), cost_(cost) {}
+  explicit PartClock(double (*now)() = thread_cpu_seconds, double cost = cost_of_thread_clock()) noexcept
+      : now_(now), cost_(cost) {}
 
   // While it lives, the scopes of this thread are of that clock.
   class Running {

@@ -18,6 +18,7 @@
 #include "robot/kinematics/leg_motion.h"
 #include "sim/scene/arm_places.h"
 #include "sim/scene/scene_obstacle.h"
+#include "sim/scene/scene_places.h"
 
 namespace twinbus {
 
@@ -83,29 +84,47 @@ void ask_what_it_can(Scene& scene, const Model& model) {
 }  // namespace
 
 std::string why_not_for(const Scene& scene, const Model& model) {
+  const char* why = Balance::why_not(model);
+  const bool points = why != nullptr && why_no_point_feet(model) == nullptr;
   if (walks(scene)) {
-    const char* why = Balance::why_not(model);
-    const bool points = why != nullptr && why_no_point_feet(model) == nullptr;
     if (why != nullptr && !points)
       return std::string("it walks, which needs a free base, and two legs of five to seven joints with soles, or two or four on point feet, and ") + why;
     if (why == nullptr && turns(scene) && free_axis(model, 0) == 2)
       return "it turns, and legs without a joint about the vertical cannot turn a robot";
     if (points && !scene.steps.empty()) return "it places the footsteps of two soles, and the robot has point feet";
   }
-  if (why_no_point_feet(model) == nullptr && PointFeetBody(model).two()) {
+  const bool moves = std::any_of(scene.modes.begin(), scene.modes.end(),
+                                 [](const TimedMode& timed) { return timed.request.motion != Motion::kNone; });
+  if (moves && why != nullptr && !points)
+    return std::string("it sways or squats, which needs legs that balance, and ") + why;
+  if (points && PointFeetBody(model).two()) {
     if (turns(scene)) return "it turns, and two point feet cannot turn a robot";
-    const bool moves = std::any_of(scene.modes.begin(), scene.modes.end(),
-                                   [](const TimedMode& timed) { return timed.request.motion != Motion::kNone; });
     if (moves) return "it sways or squats, and a robot on two point feet only steps";
   }
   for (const auto why_not : {begins_in_ground, begins_too_heavy}) {
-    if (const std::string why = why_not(scene, model); !why.empty()) return why;
+    if (const std::string reason = why_not(scene, model); !reason.empty()) return reason;
   }
   for (const TimedGoal& timed : scene.goals) {
     const bool left = timed.goal.side == ArmSide::kLeft;
     if (model.hands[left ? 0 : 1].link < 0)
       return std::string("it reaches with the ") + (left ? "left" : "right") +
              " hand, and robot.yaml names none (hands)";
+  }
+  const auto no_link = [&](const std::string& link) {
+    return !link.empty() && link.find('/') == std::string::npos && find_place(model, link) < 0;
+  };
+  const auto no_loose = [&](const std::string& name) {
+    return std::none_of(scene.loose.begin(), scene.loose.end(), [&](const LooseBody& body) { return body.name == name; });
+  };
+  for (const Push& push : scene.pushes) {
+    if (no_link(push.link)) return "it pushes " + push.link + ", which the robot does not have";
+  }
+  for (const BodyChange& body : scene.bodies) {
+    if (no_link(body.link)) return "it puts a mass on " + body.link + ", which the robot does not have";
+  }
+  for (const Grasp& grasp : scene.grasps) {
+    if (no_link(grasp.link)) return "it grips with " + grasp.link + ", which the robot does not have";
+    if (no_link(grasp.to) && grasp.to != "world" && no_loose(grasp.to)) return "it grips " + grasp.to + ", which the robot does not have";
   }
   const auto unknown = [&](const std::string& joint) { return !joint.empty() && model.find_joint(joint) < 0; };
   for (const auto& [joint, speed] : scene.start_velocity) {
@@ -117,6 +136,11 @@ std::string why_not_for(const Scene& scene, const Model& model) {
   if (unknown(scene.criteria.swing.joint))
     return "it asks how joint " + scene.criteria.swing.joint + " swings, which the robot does not have";
   return "";
+}
+
+std::string why_scene_is_not_for(Scene scene, const Model& model) {
+  resolve_poses(scene, model);
+  return why_not_for(scene, model);
 }
 
 void check_motions(const Scene& scene, const Model& model) {

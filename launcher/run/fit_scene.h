@@ -18,6 +18,9 @@ Criteria for_robot(Criteria criteria, const Model& model, bool walks = false);
 // scene must have been resolved (resolve_poses).
 std::string why_not_for(const Scene& scene, const Model& model);
 
+// The same of a scene as it was read.  Throws std::runtime_error where a pose, a motion or a place of it cannot be resolved.
+std::string why_scene_is_not_for(Scene scene, const Model& model);
+
 // Throws std::runtime_error when a motion of the scene is not fit to be played (control/motion/motion_check.h): the first fault.
 void check_motions(const Scene& scene, const Model& model);
 

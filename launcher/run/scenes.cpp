@@ -6,10 +6,13 @@
 #include <cctype>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "launcher/run/fit_scene.h"
+#include "robot/description/load.h"
 #include "sim/scene/scene.h"
 
 namespace twinbus {
@@ -39,31 +42,50 @@ const char* scene_group(const Scene& scene) {
   return kGroups[0];
 }
 
+// Why the scene is not for the robot of --robot; empty where it is.
+std::string why_not(const Scene& scene, const Model& model) {
+  if (scene_group(scene) == kGroups[3]) return "";
+  try {
+    return why_scene_is_not_for(scene, model);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+bool has_all(const std::string& text, const std::vector<std::string>& words) {
+  return std::all_of(words.begin(), words.end(), [&](const std::string& word) { return text.find(small(word)) != std::string::npos; });
+}
+
 }  // namespace
 
 int scenes_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"scenes", 0, 20, R"([WORD...]
+  const Arguments arguments({"scenes", 0, 20, R"([WORD...] [OPTION...]
 Lists the scenes of config/scenes and what happens in each; with words only those that have all of them in name or
-text, small letters or capitals.  ./twinbus run SCENE judges one, ./twinbus up SCENE shows it.)"}, words);
+text, small letters or capitals.  ./twinbus run SCENE judges one, ./twinbus up SCENE shows it.
+  --robot NAME|DIR  those that are for this robot, then those that are not, each with what it needs and the robot does not have)"}, words);
   const std::vector<std::string> names = scene_names();
+  const std::string robot = arguments.text("--robot", "");
+  const std::optional<Model> model = robot.empty() ? std::nullopt : std::optional(load_robot(robot));
   std::size_t width = 0;
   for (const std::string& name : names) width = std::max(width, name.size());
   bool any = false;
-  std::map<std::string, std::string> listed;  // by group
+  std::map<std::string, std::string> listed, refused;  // by group, and by what is missing
   for (const std::string& name : names) {
     const Scene scene = load_scene(name);
-    const std::string& about = scene.about;
-    const std::string text = small(name + " " + about);
-    const bool wanted = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
-      return text.find(small(word)) != std::string::npos;
-    });
-    if (!wanted) continue;
+    if (!has_all(small(name + " " + scene.about), arguments.words())) continue;
     any = true;
-    listed[scene_group(scene)] += "  " + name + std::string(width + 2 - name.size(), ' ') + about + "\n";
+    const std::string why = model ? why_not(scene, *model) : "";
+    if (why.empty())
+      listed[scene_group(scene)] += "  " + name + std::string(width + 2 - name.size(), ' ') + scene.about + "\n";
+    else
+      refused[why] += "  " + name;
   }
   for (const char* group : kGroups) {
-    if (listed.contains(group)) std::printf("%s\n%s", group, listed[group].c_str());
+    const bool its_own = model && group == kGroups[3];  // bodies and mechanisms that a scene brings
+    if (listed.contains(group) && !its_own) std::printf("%s\n%s", group, listed[group].c_str());
   }
+  if (!refused.empty()) std::printf("not for %s\n", model->name.c_str());
+  for (const auto& [why, scenes] : refused) std::printf("%s\n    %s\n", scenes.c_str(), why.c_str());
   if (!any) throw std::runtime_error("no scene has all of these words; ./twinbus scenes lists all");
   return 0;
 }

@@ -44,8 +44,7 @@ double length_of(const Arguments& arguments, const std::string& option, double o
 Opened open(const Arguments& arguments) {
   Opened opened;
   Scene& scene = opened.scene = load_scene(arguments.word(0));
-  scene.robot = arguments.text("--robot", scene.robot);
-  opened.model = load_robot(scene.robot);
+  opened.model = load_robot(arguments.text("--robot", scene.robot));
   opened.request.seed =
       static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   opened.request.duration = arguments.number("--for", scene.duration, 0.02, 1e6);

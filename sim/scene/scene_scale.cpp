@@ -42,6 +42,31 @@ double held_out(const Model& model, const std::string& hand) {
   return std::max(kNearHand, std::abs(from_com.x()) / leg_length_of(model));
 }
 
+// The hand, from the middle between the soles, in half_sitting [m].
+Eigen::Vector3d hand_above_soles(const Model& model, const Hand& hand) {
+  const Kinematics k = half_sitting(model);
+  const auto sole = [&](const Sole& s) -> Eigen::Vector3d { return k.link_in_world(s.link) * s.frame.translation(); };
+  return k.link_in_world(hand.link) * hand.frame.translation() - 0.5 * (sole(model.soles[0]) + sole(model.soles[1]));
+}
+
+// A body that a hand grips from the start lies in this robot's hand as it lay in that of the robot of the scene, and ends below it.
+void lay_in_hands(Scene& scene, const Model& own, const Model& model, double mass) {
+  for (const Grasp& grasp : scene.grasps) {
+    const std::size_t side = grasp.link == "left_hand" ? 0 : 1;
+    if (grasp.at > 0.0 || (side == 1 && grasp.link != "right_hand")) continue;
+    if (own.hands[side].link < 0 || model.hands[side].link < 0) continue;
+    const Eigen::Vector3d shift = hand_above_soles(model, model.hands[side]) - hand_above_soles(own, own.hands[side]);
+    for (LooseBody& body : scene.loose) {
+      if (body.name != grasp.to) continue;
+      body.start.pose.translation() += shift;
+      body.mass *= mass;
+    }
+    for (LooseEnd& end : scene.criteria.loose) {
+      if (end.name == grasp.to) end.position.head<2>() += shift.head<2>();
+    }
+  }
+}
+
 // From the middle between the soles to the outer edge of one, in half_sitting [m].
 double half_stance(const Model& model) {
   const Kinematics k = half_sitting(model);
@@ -110,13 +135,18 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   for (Push& push : scene.pushes) push.impulse = mass * push.impulse.cwiseProduct(support);
   for (double* velocity : {&scene.push_round.forward, &scene.push_round.back}) *velocity *= support.x();
   scene.push_round.sideways *= support.y();
+  for (TimedMode& timed : scene.modes) {
+    const bool sways = timed.request.motion == Motion::kSway;
+    timed.request.amplitude *= static_cast<float>(sways ? support.y() : length);
+  }
+  if (!stands_on_points(model)) lay_in_hands(scene, own, model, mass);
   for (BodyChange& body : scene.bodies) {
     body.mass *= mass;
     if (body.link == "left_hand" || body.link == "right_hand") body.mass *= std::min(1.0, held_out(own, body.link) / held_out(model, body.link));
     body.at *= length;
   }
   const bool asked = !scene.walks.empty() || !scene.steps.empty() || !scene.pushes.empty() || !scene.bodies.empty() ||
-                     scene.push_round.count > 0 || scene.terrain.length > 0.0;
+                     scene.push_round.count > 0 || !scene.grasps.empty() || scene.terrain.length > 0.0;
   if (!asked) return;
   scene.scaled = formatted("for a leg of %.2f m, not %.2f, and %.0f kg, not %.0f: speeds x%.2f (to the side and turning x%.2f), "
                            "lengths x%.2f, impulses x%.2f, to the side x%.2f",

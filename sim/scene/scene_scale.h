@@ -6,7 +6,9 @@
 //     heights   l / l0
 //     impulses  m / m0 times the smaller of sqrt(l / l0) and a / a0 sqrt(l0 / l)
 //               to the side that, or with b for a, if that is less
-//     masses    m / m0, in a hand that is held farther before the robot as much less as its moment is more
+//     motions   a sway by as much as impulses to the side, a squat l / l0
+//     masses    m / m0, in a hand that is held farther before the robot as much less as its moment is more;
+//               what a hand grips from the start lies in this robot's hand
 //
 // l: hip to ground, m: mass, a: length of a sole, w: its width, b: from between the feet to an outer edge in half_sitting, index 0: of the robot
 // that the scene names.  Nothing grows.

@@ -42,6 +42,8 @@ TEST(SceneFit, WhatARobotDoesNotHaveIsSaid) {
   Scene reach = load_scene("reach");
   reach.goals.resize(2);  // without the pose
   EXPECT_NE(why_not_for(reach, handless).find("left hand"), std::string::npos);
+  EXPECT_NE(why_not_for(resolved("tied_hands", handless), handless).find("left_hand"), std::string::npos);
+  EXPECT_EQ(why_scene_is_not_for(load_scene("push_left"), handless), "");
   Model arm = load_robot("hrp1s");
   arm.floating_base = false;
   EXPECT_NE(why_not_for(resolved("walk_turn", arm), arm).find("its base is fixed"), std::string::npos);

@@ -47,6 +47,20 @@ TEST(SceneScale, SpeedsLengthsAndImpulsesFitTheRobot) {
   EXPECT_NEAR(steps.steps[0].list.x[0], 0.075, 1e-6);
 }
 
+TEST(SceneScale, WhatAHandGripsFromTheStartLiesInThisRobotsHand) {
+  const Model own = load_robot("hrp1s"), small = half_as_long(own);
+  const Scene before = load_scene("carry_box");
+  Scene scene = before;
+  scale_between(scene, own, small);
+  const Eigen::Vector3d shift = scene.loose[0].start.pose.translation() - before.loose[0].start.pose.translation();
+  EXPECT_LT(shift.y(), -0.1) << "its arms are nearer to the middle";
+  EXPECT_LT(shift.z(), -0.1) << "and lower";
+  EXPECT_NEAR(scene.loose[0].mass, 0.125 * before.loose[0].mass, 1e-9);
+  EXPECT_NEAR(scene.criteria.loose[0].position.y(), before.criteria.loose[0].position.y() + shift.y(), 1e-9);
+  EXPECT_EQ(scene.criteria.loose[0].position.z(), before.criteria.loose[0].position.z()) << "on the ground, as before";
+  EXPECT_LT(scene.modes[1].request.amplitude, before.modes[1].request.amplitude) << "it sways less";
+}
+
 TEST(SceneScale, NothingGrowsAndOwnScenesStay) {
   const Model own = load_robot("hrp1s");
   Scene walk = load_scene("walk_forward");

@@ -24,7 +24,7 @@ def leg(name, front, side):
     robot.link(f"{name}_THIGH", 0.85, (0, -0.015 * side, -0.035), (0.06, 0.06, 0.20),
                [rod(0.042, 0.036, "y", (0, 0, 0), "joint"), box(0.034, 0.026, 0.15, (0, 0, -0.115))])
     robot.link(f"{name}_SHANK", 0.25, (0, 0, -0.085), (0.02, 0.02, 0.20),
-               [rod(0.011, 0.16, "z", (0, 0, -0.11)), ball(FOOT, (0, 0, -SHANK), "sole")])
+               [ball(0.026, (0, 0, 0), "joint", "v"), rod(0.011, 0.16, "z", (0, 0, -0.11)), ball(FOOT, (0, 0, -SHANK), "sole")])
     at = (0.185 * front, 0.05 * side, 0)
     robot.joint(f"{name}_HIP_R", "TRUNK", f"{name}_HIP", at, "x", *mirrored(side, deg(-45), deg(45)), 24, 30)
     robot.joint(f"{name}_HIP_P", f"{name}_HIP", f"{name}_THIGH", (0, 0.08 * side, 0), "y", deg(-60), deg(160), 24, 30)
