@@ -9,7 +9,7 @@
 FROM debian:trixie-slim AS build
 WORKDIR /twinbus
 COPY . .
-RUN ./twinbus --version
+RUN ./twinbus env
 # The packages of the libraries that the programs need, and no others.
 RUN ldd build/release/bin/* | awk '/=> \//{print $3}' | sort -u | xargs readlink -f | xargs dpkg-query -S | cut -d: -f1 | sort -u >build/libraries.txt
 

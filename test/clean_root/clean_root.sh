@@ -150,7 +150,7 @@ install_and_build() {
   [ ! -e "$work.built" ] || return 0
   local status=0
   rm -f "$work.log"
-  enter "$work" shared ./twinbus --version 2>&1 >/dev/null | tee "$work.said" || status=$?
+  enter "$work" shared ./twinbus env 2>&1 >/dev/null | tee "$work.said" || status=$?
   [ $status -ne 0 ] || enter "$work" shared cmake --build build/release --target unit_programs >"$work.log" || status=$?
   case $status in
     0) touch "$work.built" ;;

@@ -179,7 +179,7 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         with subprocess.Popen(["flock", "--no-fork", self.root / "build/.lock", "sleep", "600"]) as other:
             time.sleep(0.3)
             self.calls.unlink()
-            for word in ("walk", "mode", "pose", "reach", "switch", "push", "sim", "restart", "scenes", "log", "env", "record", "view", "gamepad"):
+            for word in ("walk", "mode", "pose", "reach", "switch", "push", "sim", "restart", "log", "env", "record", "view", "gamepad"):
                 done = self.run_script(word, "x")
                 self.assertEqual((done.returncode, done.stdout), (0, f"program {word} x\n"), done.stderr)
                 self.assertIn("another build goes on", done.stderr)
@@ -231,6 +231,53 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.run_script("run", "stand")
         self.assertIn("--target twinbus_cli", self.said())
         self.assertNotIn("--target programs", self.said())
+
+    def test_up_builds_what_the_stacks_start_and_a_command_its_program(self):
+        for words, targets in ((["up"], "stack_programs"), (["restart"], "stack_programs"), (["up", "--face", "unitree_hg"], "programs"),
+                               (["walk"], "twinbus_cli"), (["stop"], "twinbus_cli"), (["gamepad"], "twinbus_cli twinbus_gamepad"),
+                               (["view"], "twinbus_cli twinbus_log_viewer"), (["env"], "programs")):
+            shutil.rmtree(self.root / "build", ignore_errors=True)
+            self.calls.unlink(missing_ok=True)
+            self.run_script(*words)
+            self.assertRegex(self.said(), f"(?m)--target {targets}$", words)
+
+    def test_every_program_of_a_stack_is_built_by_up(self):
+        made = {}  # name of the program: its target
+        for file in ROOT.glob("*/**/CMakeLists.txt"):
+            text = file.read_text()
+            made.update((name, name) for name in re.findall(r"(?:add_executable|twinbus_control_main)\((\w+)", text))
+            made.update((name, target) for target, name in re.findall(r"set_target_properties\((\w+) PROPERTIES OUTPUT_NAME (\w+)", text))
+        built = re.search(r"set\(stack ([^)]*)\)", (ROOT / "launcher/CMakeLists.txt").read_text()).group(1).split()
+        for file in (ROOT / "config/stacks").glob("*.yaml"):
+            for program in re.findall(r"^\s*program: (\w+)", file.read_text(), re.MULTILINE):
+                self.assertIn(made[program], built, f"{file.name} starts {program}: add its target to `stack` in launcher/CMakeLists.txt")
+
+    def test_doctor_and_scenes_answer_at_once_without_a_build(self):
+        scenes = self.root / "config/scenes"
+        scenes.mkdir()
+        (scenes / "one.yaml").write_text("# a comment\nabout: Stands still.\nduration: 3\n")
+        (scenes / "two.yaml").write_text("about: Walks.\n")
+        self.packages("there  a\ngone  b\n")
+        executable(self.bin / "ip", "#!/bin/sh\nexit 0\n")
+        done = self.run_script("scenes")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"(?m)^  one +Stands still\.\n  two +Walks\.$")
+        self.assertNotIn("two", self.run_script("scenes", "STAND", "one").stdout)
+        self.assertEqual(self.run_script("scenes", "nowhere").returncode, 1)
+        done = self.run_script("doctor")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("MISSING  packages are missing: gone\n         mend: ./twinbus up, or sudo apt-get install gone", done.stdout)
+        self.assertIn("nothing is built yet", done.stdout)
+        self.packages("there  a\n")
+        self.assertEqual(self.run_script("doctor").returncode, 0)
+        for word in ("scenes", "doctor"):
+            self.assertIn("usage: ./twinbus COMMAND", self.run_script(word, "--help").stdout)
+        self.assertEqual(self.said(), "")
+        self.run_script("up")
+        self.calls.unlink()
+        for word in ("scenes", "doctor"):  # after a change too
+            self.assertEqual(self.run_script(word).stdout, f"program {word}\n")
+        self.assertEqual(self.said(), "")
 
     def test_stdout_belongs_to_the_program(self):
         self.packages("gone  b\n")
