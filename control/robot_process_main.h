@@ -11,7 +11,7 @@
 #include "robot/collision/loop_joints.h"
 #include "robot/collision/obstacle_collector.h"
 #include "robot/description/load.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 

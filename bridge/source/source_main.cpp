@@ -17,7 +17,7 @@
 #include "lcmtypes/bus/node.h"
 #include "lcmtypes/node/missed_ticks.h"
 #include "common/time/latency_histogram.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 

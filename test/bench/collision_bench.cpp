@@ -29,7 +29,7 @@
 #include "robot/collision/exact/self_collision.h"
 #include "test/bench/collision_cases.h"
 #include "test/bench/core_alone.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 using namespace twinbus;
 

@@ -26,7 +26,7 @@
 #include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 #include "test/activate.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

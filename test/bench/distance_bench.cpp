@@ -23,7 +23,7 @@
 #include "geometry/distance/mesh_distance.h"
 #include "common/process/options.h"
 #include "test/bench/collision_cases.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 using namespace twinbus;
 

@@ -26,7 +26,7 @@
 #include "common/time/cpu_time.h"
 #include "common/time/latency_histogram.h"
 #include "test/collision/guard_rig.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 using namespace twinbus;
 

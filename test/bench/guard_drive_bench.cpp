@@ -21,7 +21,7 @@
 #include "test/bench/core_alone.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 using namespace twinbus;
 

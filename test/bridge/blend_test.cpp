@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "robot/kinematics/brake.h"
 #include "test/bridge/small_robot.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -9,7 +9,7 @@
 #include "bridge/gate/command_gate.h"
 #include "robot/stop_plan/stop_plan.h"
 #include "test/bridge/small_robot.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "test/bridge/small_robot.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

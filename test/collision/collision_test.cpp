@@ -13,7 +13,7 @@
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
 #include "test/collision/postures.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/obstacles.h"
 
 namespace twinbus {

@@ -12,7 +12,7 @@
 
 #include "geometry/distance/convex_shape.h"
 #include "geometry/distance/support_cells.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -11,7 +11,7 @@
 #include "robot/collision/links/link_geometry.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/obstacles.h"
 
 namespace twinbus {

@@ -10,7 +10,7 @@
 #include "robot/collision/exact/self_collision.h"
 #include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

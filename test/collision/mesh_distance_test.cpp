@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/math/index.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "common/math/index.h"
 #include "test/collision/postures.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -11,7 +11,7 @@
 #include "robot/motion/motion_clip.h"
 #include "test/control/made_motion.h"
 #include "test/control/sim_rig.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

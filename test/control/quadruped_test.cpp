@@ -8,7 +8,7 @@
 #include "test/control/four_legged.h"
 #include "test/control/sensor_noise.h"
 #include "test/control/sim_rig.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -9,7 +9,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

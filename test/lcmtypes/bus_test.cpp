@@ -13,7 +13,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "test/lcmtypes/samples.h"
 #include "test/error_of.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/tools/bus_options.h"
 
 namespace twinbus {

@@ -1,7 +1,7 @@
 #include "test/oracles/prioritized_ik.h"
 
 #include "test/robot/fixtures.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/pose_math.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

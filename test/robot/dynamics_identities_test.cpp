@@ -4,7 +4,7 @@
 #include "fixtures.h"
 #include "test/oracles/forward_dynamics.h"
 #include "test/oracles/mass_matrix.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

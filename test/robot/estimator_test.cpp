@@ -4,7 +4,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/inverse_kinematics.h"
 #include "robot/estimation/sole_contact.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

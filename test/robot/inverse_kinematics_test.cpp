@@ -1,7 +1,7 @@
 #include "robot/kinematics/inverse_kinematics.h"
 
 #include "fixtures.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

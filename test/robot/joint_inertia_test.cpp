@@ -5,7 +5,7 @@
 
 #include "fixtures.h"
 #include "robot/dynamics/inverse_dynamics.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fixtures.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus::test {
 namespace {

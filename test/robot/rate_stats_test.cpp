@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

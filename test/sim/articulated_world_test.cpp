@@ -15,7 +15,7 @@
 #include "sim/engine/ode_world.h"
 #include "common/math/random.h"
 #include "sim/world/static_equilibrium.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/obstacles.h"
 #include "test_models.h"
 #include "world_helpers.h"

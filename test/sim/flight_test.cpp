@@ -12,7 +12,7 @@
 #include "robot/dynamics/energy.h"
 #include "sim/engine/articulated_world.h"
 #include "sim/articulated/spatial.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test_models.h"
 
 namespace twinbus {

@@ -10,7 +10,7 @@
 
 #include "robot/description/load.h"
 #include "sim/world/static_equilibrium.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

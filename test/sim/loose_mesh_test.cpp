@@ -14,7 +14,7 @@
 #include "sim/engine/articulated_world.h"
 #include "sim/scene/scene.h"
 #include "test/contact_shapes.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test_models.h"
 
 namespace twinbus {

@@ -15,7 +15,7 @@
 #include "common/math/key_index.h"
 #include "common/math/random.h"
 #include "sim/world/static_equilibrium.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test_models.h"
 #include "world_helpers.h"
 

@@ -15,7 +15,7 @@
 #include "geometry/bounds/shape_mesh.h"
 #include "common/math/random.h"
 #include "test/contact_shapes.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

@@ -13,7 +13,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/description/load.h"
 #include "sim/engine/articulated_world.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test_models.h"
 
 namespace twinbus {

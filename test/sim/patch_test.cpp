@@ -16,7 +16,7 @@
 #include "sim/contact/sole_patches.h"
 #include "sim/engine/make_world.h"
 #include "test/contact_shapes.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/sim/both_engines.h"
 #include "test/sim/test_models.h"
 

@@ -5,7 +5,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/description/load.h"
 #include "sim/engine/ode_world.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 namespace twinbus {
 namespace {

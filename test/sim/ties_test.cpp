@@ -10,7 +10,7 @@
 #include "sim/engine/articulated_world.h"
 #include "sim/world/static_equilibrium.h"
 #include "sim/world/constraint.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test_models.h"
 
 namespace twinbus {

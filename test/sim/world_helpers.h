@@ -9,7 +9,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/world/world.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/sim/body_energy.h"
 
 namespace twinbus::test {

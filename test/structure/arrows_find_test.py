@@ -33,6 +33,7 @@ PLANTED = [
     ("bridge/gate/f.cpp", "#include <ode/ode.h>\n", "its door is"),
     ("robot/model/g.h", "#pragma once\n#include <fcl/fcl.h>\n", "its door is"),
     ("robot/model/h.cpp", '#include "test/tools/x.h"\n', "the product needs no test"),
+    ("robot/h_main.cpp", '#include "test/tools/x.h"\n', "the product needs no test"),
     ("robot/model/i.h", "#pragma once\nstruct Model {\n};\n", "Model is defined in"),
     ("robot/model/j.h", "#pragma once\n", "no file of the product includes it"),
     ("robot/model/k.cpp", "\n" * 600, "the ceiling is"),

@@ -45,9 +45,6 @@ SOURCE_CEILING = 495
 FOLDER_CEILING = 30  # C++ files of a folder
 TEST_FOLDER_CEILING = 40
 
-# test/no_alloc.h is the one header of test/ that products include: a heartbeat counts allocations.
-SHARED_TEST_HEADERS = {"test/no_alloc.h"}
-
 MACHINE = re.compile(r"/(home|work|Users|root|tmp/[a-z]+_clone)/[A-Za-z0-9_.-]+")
 # TWINBUS_KERNEL_FILE names what common/simd/fused_kernels.h includes for each instruction set.
 INCLUDE = re.compile(r'^\s*#\s*(?:include|define TWINBUS_KERNEL_FILE)\s+([<"])([^>"]+)[>"]', re.MULTILINE)
@@ -125,8 +122,7 @@ def check_arrows(code, problems, arrows):
                     problems.append(f"{file}: includes {header}; only mains, launcher/ and lcmtypes/ know the bus")
                     continue
             if header.startswith("test/"):
-                if not (is_main and header in SHARED_TEST_HEADERS):
-                    problems.append(f"{file}: includes {header}; the product needs no test")
+                problems.append(f"{file}: includes {header}; the product needs no test")
                 continue
             if there.split("/")[0] not in ROOMS or there == folder or is_main or there.startswith(ADAPTORS.rstrip("/")):
                 continue

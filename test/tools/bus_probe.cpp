@@ -17,7 +17,7 @@
 #include "common/process/process.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "test/lcmtypes/samples.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test/tools/bus_options.h"
 
 using namespace twinbus;

@@ -1,7 +1,7 @@
 // Counts what a thread allocates, so that a test or a heartbeat can say "this loop allocated
 // nothing".
 //
-// Linking twinbus_no_alloc replaces malloc and its family in the whole program (Eigen and liblcm
+// Linking twinbus_common_allocation replaces malloc and its family in the whole program (Eigen and liblcm
 // call malloc, not operator new).  Under a sanitizer, which has a malloc of its own, nothing is
 // counted and counting() says so.
 

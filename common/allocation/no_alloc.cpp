@@ -1,4 +1,4 @@
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 
 #include <cerrno>
 #include <cstddef>
