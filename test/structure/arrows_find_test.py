@@ -2,11 +2,15 @@
 """The structure tests find every kind of planted mistake, say what to do, and find nothing in a clean tree."""
 
 import pathlib
+import shutil
+import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent))
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
 import arrows_test  # noqa: E402
+import duplicates_test  # noqa: E402
 
 CLEAN = {
     "robot/CMakeLists.txt": "twinbus_folder(robot/model)\n",
@@ -43,13 +47,65 @@ PLANTED = [
 ]
 
 
-def problems_of(files):
+def problems_of(files, check=arrows_test.check):
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         for name, text in files.items():
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text)
-        return arrows_test.check(root)
+        return check(root)
+
+
+# Lines of a function; {}: what a copy calls otherwise.
+WRITTEN_TWICE = ["double {}(const Limits& limits, double q) {{", "  if (!(q > limits.low)) return limits.low;", "  double {}_sum = 0.0;",
+                 "  for (const Step& step : limits.steps) {}_sum += step.share * q;", "  const auto best = std::min({}_sum, limits.high);",
+                 "  while (best > 1.0) limits.count(best, q);", "  return best - {}_sum;"]
+
+
+def wrong_with_duplicates():
+    """What the count of alike places gets wrong."""
+    def pairs(*files):
+        return problems_of({f"robot/{i}.cpp": text for i, text in enumerate(files)}, duplicates_test.check)
+    of = ["\n".join(line.format(name) for line in WRITTEN_TWICE) + "\n" for name in ("least", "most")]
+    if len(pairs(of[0], "int x;\n")[1]) != 0 or len(pairs(*of)[1]) != 1 or pairs(*of)[0]:
+        yield "a place that is alike but for names is one pair, and no problem"
+    if len(pairs(of[0], of[1].replace("std::min", "std::max(0.0)"))[1]) != 0:
+        yield "five alike lines are no pair"
+    long = of[0] + of[0].replace("while (best", "until (best")
+    if not any("say the same in 14 lines" in problem for problem in pairs(long, long)[0]):
+        yield "what is the same to the letter over eight lines is a problem"
+    many = [of[0]] + [of[0].replace("Limits", f"L{i}") for i in range(7)]
+    kinds = [[text.replace("while", word) for text in many] for word in ("a.b", "a->b")]
+    if not any("the most are 40" in problem for problem in pairs(*kinds[0], *kinds[1])[0]):
+        yield "more than 40 pairs are a problem"
+    rows = "".join(f"  double member_{i} = {i}.0;  // [m]\n" for i in range(7))
+    if pairs(rows, rows.replace("member", "other"))[1]:
+        yield "rows of declarations are no pair"
+
+
+def wrong_with_scene_keys():
+    """What a scene key without its line in doc/scenes.md passes by."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name in ("sim/scene", "sim/world", "robot/description", "lcmtypes/msg", "config/scenes"):
+            shutil.copytree(HERE.parents[1] / name, root / name, ignore=shutil.ignore_patterns("*.yaml", "meshes"))
+        (root / "doc").mkdir()
+        shutil.copy(HERE.parents[1] / "doc/scenes.md", root / "doc/scenes.md")
+
+        def said():
+            return subprocess.run([sys.executable, HERE / "scenes_page_test.py", root], capture_output=True, text=True, check=False).stdout
+        if "0 problems" not in said():
+            yield "nothing is wrong with the scenes of this tree: " + said()
+        page, source = root / "doc/scenes.md", root / "sim/scene/scene.cpp"
+        text = page.read_text()
+        page.write_text("".join(line for line in text.splitlines(True) if not line.startswith("| `duration`")))
+        if "--write" not in said():
+            yield "a line of doc/scenes.md that is missing"
+        page.write_text(text)
+        code = source.read_text()
+        source.write_text(code.replace('top.number("duration"', 'top.number("gravity_tilt", 0.0, 1.0, 0.0);\n  top.number("duration"', 1))
+        if "say in MEANING" not in said():
+            yield "a key that the code reads and the page has not"
 
 
 def main():
@@ -58,6 +114,9 @@ def main():
         if not any(sentence in problem for problem in problems_of({**CLEAN, name: text})):
             print(f"not found: {name}: '{sentence}'")
             bad += 1
+    for sentence in (*wrong_with_duplicates(), *wrong_with_scene_keys()):
+        print(f"not held: {sentence}")
+        bad += 1
     for problem in problems_of(CLEAN):
         print(f"found in a clean tree: {problem}")
         bad += 1

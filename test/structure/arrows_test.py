@@ -11,10 +11,9 @@ The arrows are the PUBLIC and PRIVATE lists of twinbus_folder() in the CMakeList
 import os
 import pathlib
 import re
-import subprocess
 import sys
 
-from report import report
+from report import files_of, report
 
 ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher", "python"]
 
@@ -54,16 +53,6 @@ TYPE = re.compile(r"^(?:class|struct|enum class)\s+(?:alignas\([^)]*\)\s+)?([A-Z
 PAGE = re.compile(r"(?<![\w/.-])((?:[A-Za-z0-9_-]+/)*[A-Za-z0-9_-]+\.md)\b")
 
 STARTED = re.compile(r"test/bench/(bench|chart)_\w+\.py")  # by ./twinbus bench and chart
-
-
-def files_of(root):
-    """Tracked files and those that could be; without git, everything outside build folders."""
-    try:
-        listed = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True,
-                                check=True).stdout.splitlines()
-    except (OSError, subprocess.CalledProcessError):
-        listed = [str(p.relative_to(root)) for p in root.rglob("*") if p.is_file()]
-    return sorted(f for f in listed if (root / f).is_file() and not f.startswith(("build/", "runs/")))
 
 
 def declared(files, read):

@@ -4,6 +4,7 @@ config/scenes/scene.schema.json has the same for editors.
 
     scenes_page_test.py            says what is missing or old
     scenes_page_test.py --write    writes both anew
+    scenes_page_test.py FOLDER     looks at another tree (the test of this test does)
 
 Keys, kinds, ranges and defaults are read from the calls in sim/scene (ConfigNode), settings from the table kEntries of
 sim/scene/settings.cpp; what a key means is said here. A key without a meaning, or a meaning without a key, is a failure.
@@ -14,7 +15,7 @@ import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(next((word for word in sys.argv[1:] if not word.startswith("--")), pathlib.Path(__file__).parents[2])).resolve()
 PAGE = ROOT / "doc/scenes.md"
 SCHEMA = ROOT / "config/scenes/scene.schema.json"
 SOURCES = sorted(str(file.relative_to(ROOT)) for file in (ROOT / "sim/scene").glob("*.cpp")) + ["robot/description/loops.cpp",
