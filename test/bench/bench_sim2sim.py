@@ -110,7 +110,9 @@ class Foreign:
         self._trial, self.folder, self.command, self.seconds, self.weight = trial, folder, tuple(command), seconds or 12.0, weight
         self.scene, self.robot, self.network = scene, robot.from_folder(str(folder)), network.Network(pathlib.Path(model))
         self.spec = find.find(self.network, self.robot, spec)
-        self.name = f"{pathlib.Path(model).stem} {command[0]:g} {command[1]:g} {command[2]:g}"
+        path = pathlib.Path(model)
+        kind = path.stem if path.stem != "policy" else next((p.name for p in path.absolute().parents if p.name != "exported"), path.stem)
+        self.name = f"{kind} {command[0]:g} {command[1]:g} {command[2]:g}"
 
     def track(self, world, seed=1):
         engine, settings = settings_of(world)

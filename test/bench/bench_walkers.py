@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""./twinbus bench walkers [--seeds N] [--seconds S] [--worlds W,...] [--courses C,...] [--csv F] [--policy MODEL.onnx --spec FILE ...]: our walker
+"""./twinbus bench walkers [--seeds N] [--seconds S] [--worlds W,...] [--courses C,...] [--csv F] [--policy MODEL.onnx [--spec FILE] ...]: our walker
 beside learned policies on one robot, over the same courses, with the same pushes, in every engine, with equal seeds.
 
 The robot is G1 as `check --propose` writes it from $TWINBUS_DATA (or --robot FILE), every walker is asked for 0.5 m/s forward (--speed).
 Courses: flat; pushed (all round: every 2 s an impulse that changes the speed of the robot by 0.3 m/s forward or back, 0.2 m/s sideways);
 tiles (of 30 mm).  Without --policy: the G1 policy of $TWINBUS_DATA.  Sensors are noisy, so seeds differ.  Printed per course, world and walker:
-how much of the time it walked, falls, and how wrong its mean velocity was.  Policies need $TWINBUS_POLICY_PYTHON.
+how much of the time it walked, falls, and how wrong its mean velocity was.  Specifications that are not named are looked for as by
+./twinbus policy (--spec - for one of several).  Policies need $TWINBUS_POLICY_PYTHON.
 Exit status 1 if our walker falls more often than a policy."""
 import argparse
 import csv
+import itertools
 import math
 import os
 import pathlib
@@ -84,14 +86,14 @@ def main(arguments):
     unknown = [c for c in words.courses.split(",") if c not in COURSES]
     if unknown:
         parser.error(f"no course {unknown[0]}; there are {', '.join(COURSES)}")
-    if len(words.policy) != len(words.spec):
-        parser.error("each --policy needs its --spec")
+    if len(words.spec) > len(words.policy):
+        parser.error("more --spec than --policy")
     other = os.environ.get("TWINBUS_POLICY_PYTHON")
     if other and not os.environ.get("TWINBUS_POLICY_RUNS"):
         os.execve(other, [other, __file__, *arguments], dict(os.environ, TWINBUS_POLICY_RUNS="1"))
     data = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data"))
     robot = words.robot or str(data / "robots/g1/g1_29dof_rev_1_0.urdf")
-    policies = list(zip(words.policy, words.spec))
+    policies = [(model, "" if spec == "-" else spec) for model, spec in itertools.zip_longest(words.policy, words.spec, fillvalue="")]
     if not words.robot and not policies:
         policies = [(str(data / "policies/g1_policy.onnx"), str(ROOT / "test/python/policies/g1_playground.spec.yaml"))]
     if not words.robot and not pathlib.Path(robot).is_file():
