@@ -1,5 +1,6 @@
 // The simulator process: a scene behind the adaptor interface, as a source of STATE.
 
+#include <array>
 #include <cstdio>
 
 #include "bridge/source/source_main.h"
@@ -31,6 +32,13 @@ int run(int argc, char** argv) {
   parser.positional("SCENE", scene_name, false, "a name under config/scenes, or a YAML file");
   parser.settings("--set", config.settings,
                   "key=value, see above; wins over the scene's own settings");
+  double step = 0.0, accuracy = 0.0;
+  std::array<double, 4> bands{};
+  parser.number("--step", "S", step, 1e-7, 0.1, "physics step, so many of which make a control period; default the scene's");
+  parser.number("--accuracy", "M", accuracy, 1e-9, 0.1, "steps that are off by more are doubted; default the scene's");
+  constexpr std::array kBands = {"--band-error", "--band-gain", "--band-rise", "--band-depth"};
+  for (std::size_t i = 0; i < kBands.size(); ++i)
+    parser.number(kBands[i], "X", bands[i], 0.0, 1e9, "of a run whose error was measured: steps are doubted beyond it; 0: no such run");
   add_source_options(parser, options, true);
   parser.parse(argc, argv);
 
@@ -39,6 +47,9 @@ int run(int argc, char** argv) {
   if (!parser.given("--robot")) options.common.robot = scene.robot;
   const Model model = load_robot(options.common.robot);
   if (parser.given("--start-pose")) start_in(start_pose, model, scene);
+  if (parser.given("--step")) scene.step = step;
+  if (parser.given("--accuracy")) scene.accuracy = accuracy;
+  scene.bands = {bands[0], bands[1], bands[2], bands[3]};
   resolve_poses(scene, model);
   apply_seed(scene, model, static_cast<std::uint64_t>(options.seed));
   SimSettings checked;  // a wrong setting is a wrong argument, said before anything opens

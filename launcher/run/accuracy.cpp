@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
@@ -20,6 +21,7 @@
 #include "robot/description/load.h"
 #include "sim/articulated/spatial.h"
 #include "sim/scene/fidelity.h"
+#include "sim/scene/settings.h"
 
 namespace twinbus {
 
@@ -122,6 +124,47 @@ void choose_fidelity(const Arguments& arguments, Scene& scene) {
   const std::vector<std::string> names(std::begin(kFidelityNames), std::end(kFidelityNames));
   if (std::find(names.begin(), names.end(), scene.fidelity) == names.end())
     throw UsageError("there is no fidelity '" + scene.fidelity + "'" + suggestion(scene.fidelity, names));
+}
+
+Settings settings_of(const std::string& command, const Arguments& arguments, double period) {
+  Settings settings;
+  for (const std::string& word : arguments.all("--set")) {
+    const std::size_t equal = word.find('=');
+    if (equal == std::string::npos) throw UsageError(command + ": --set wants KEY=VALUE, not '" + word + "'");
+    settings.emplace_back(word.substr(0, equal), word.substr(equal + 1));
+    SimSettings scratch;
+    const std::string complaint = apply_setting(settings.back().first, settings.back().second, period, scratch);
+    if (!complaint.empty()) throw UsageError(command + ": " + complaint);
+  }
+  return settings;
+}
+
+std::string read_budget(const std::string& text, double& seconds) {
+  constexpr double kLeast = 1e-7, kMost = 10.0;
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
+  const double scale = unit.empty() || unit == "ms" ? 1e-3 : unit == "us" ? 1e-6 : unit == "s" ? 1.0 : 0.0;
+  seconds = number * scale;
+  if (end != text.c_str() && seconds >= kLeast && seconds <= kMost) return "";
+  return "must be a time of 100 ns to 10 s, in milliseconds or with a unit, such as 0.5ms, not '" + text + "'";
+}
+
+AccuracyRequest accuracy_of(const std::string& command, const Arguments& arguments, const Scene& scene) {
+  AccuracyRequest request;
+  request.error = scene.accuracy;
+  if (arguments.has("--accuracy")) {
+    const std::string problem = read_accuracy(arguments.text("--accuracy", ""), request.error);
+    if (!problem.empty()) throw UsageError(command + ": --accuracy " + problem);
+  }
+  if (arguments.has("--budget")) {
+    const std::string problem = read_budget(arguments.text("--budget", ""), request.budget);
+    if (!problem.empty()) throw UsageError(command + ": --budget " + problem);
+  }
+  if (scene.fidelity == "auto" && !(request.error > 0.0) && !(request.budget > 0.0)) request.error = kAutoError;
+  request.talk = true;
+  return request;
 }
 
 AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/file/fingerprint.h"
 #include "common/process/arguments.h"
@@ -13,9 +15,14 @@
 namespace twinbus {
 
 inline constexpr double kAutoError = 1e-3;  // of `fidelity: auto` where no error is asked for [m]
+inline constexpr double kBand = 1.5;        // times what the doubts of the run that was measured came to
 
 // --fidelity, if given, instead of the scene's.  Throws UsageError for a word that is none.
 void choose_fidelity(const Arguments& arguments, Scene& scene);
+
+// --set of `command`.  Throws UsageError for what is no setting.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+Settings settings_of(const std::string& command, const Arguments& arguments, double period);
 
 struct AccuracyRequest {
   double error = 0.0;   // asked for [m]; 0: the best that the budget gives
@@ -32,6 +39,11 @@ struct AccuracyChoice {
   bool kept = false;   // the ladder came from the cache
   std::string reason;  // one sentence where rung is -1, or where the budget does not hold the error
 };
+
+// --accuracy and --budget of `command`, else what the scene asks for.  Throws UsageError.
+AccuracyRequest accuracy_of(const std::string& command, const Arguments& arguments, const Scene& scene);
+// --budget: milliseconds, or with a unit.  What is wrong with it, or empty.
+std::string read_budget(const std::string& text, double& seconds);
 
 AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
                                const OneProcessConfig& config, const AccuracyRequest& request);

@@ -36,24 +36,7 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
-constexpr double kBand = 1.5;                          // times what the doubts of the run that was measured came to
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
-
-std::vector<std::pair<std::string, std::string>> settings_of(const Arguments& arguments,
-                                                             double period) {
-  std::vector<std::pair<std::string, std::string>> settings;
-  for (const std::string& word : arguments.all("--set")) {
-    const std::size_t equal = word.find('=');
-    if (equal == std::string::npos)
-      throw UsageError("run: --set wants KEY=VALUE, not '" + word + "'");
-    settings.emplace_back(word.substr(0, equal), word.substr(equal + 1));
-    SimSettings scratch;
-    const std::string complaint =
-        apply_setting(settings.back().first, settings.back().second, period, scratch);
-    if (!complaint.empty()) throw UsageError("run: " + complaint);
-  }
-  return settings;
-}
 
 using FootForces = std::vector<std::array<float, 2>>;  // vertical, left and right, per tick [N]
 
@@ -148,19 +131,6 @@ std::string contact_asked(const Scene& scene,
     }
   }
   return contact;
-}
-
-AccuracyRequest accuracy_of(const Arguments& arguments, const Scene& scene) {
-  AccuracyRequest request;
-  request.error = scene.accuracy;
-  if (arguments.has("--accuracy")) {
-    const std::string problem = read_accuracy(arguments.text("--accuracy", ""), request.error);
-    if (!problem.empty()) throw UsageError("run: --accuracy " + problem);
-  }
-  request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
-  if (scene.fidelity == "auto" && !(request.error > 0.0) && !(request.budget > 0.0)) request.error = kAutoError;
-  request.talk = true;
-  return request;
 }
 
 // CPU of the physics of this run [ms per simulated s].
@@ -276,7 +246,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   --reference  runs the scene again with eight physics steps in one: error of the foot forces against that
   --accuracy LENGTH  order and step are chosen so that no link or body is farther from the converged answer, 0.001 or 1mm
   --fidelity WORD  full, auto (no more is modelled than the accuracy needs; default 1mm), legs or rigid; default the scene's
-  --budget MS  CPU time of the physics in a control period: the best accuracy that fits
+  --budget TIME  of CPU for the physics in a control period, 0.5 or 0.5ms: the best accuracy that fits
   --no-guard  leaves the guard in the controller out
   --log F.log  records every message, for ./twinbus log; times are simulated
   --force  writes over a log that is there, with its parts
@@ -306,12 +276,12 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   request.step_s = scene.step > 0.0 ? scene.step : model.period();
 
   OneProcessConfig config;
-  config.settings = settings_of(arguments, model.period());
+  config.settings = settings_of("run", arguments, model.period());
   request.contact = contact_asked(scene, config.settings);
   config.seed = request.seed;
   config.control.guard_in_loop = !arguments.has("--no-guard");
   const std::int64_t ticks = std::llround(request.duration / model.period());
-  AccuracyRequest accuracy = accuracy_of(arguments, scene);
+  AccuracyRequest accuracy = accuracy_of("run", arguments, scene);
   scene.accuracy = undrawn.accuracy = accuracy.error;  // what is off by more is doubted
   std::optional<AccuracyChoice> choice;
   if (accuracy.error > 0.0 || accuracy.budget > 0.0) {

@@ -248,7 +248,7 @@ Runs a scene at orders and steps of the ladder, prints error against cost and th
 together with all finer ones.  It climbs until the error is proven.  Exit status 0 only if one holds.
   --robot
   --error LENGTH  0.001 or 1mm; default the scene's accuracy, else 1mm
-  --budget MS  CPU time of the physics in a control period: the best that fits of all rungs
+  --budget TIME  of CPU for the physics in a control period, 0.5 or 0.5ms: the best that fits of all rungs
   --for S  simulated seconds; default: the scene's duration
   --all  every rung, also those that cannot win
   --seed N  of everything random; default 1
@@ -258,7 +258,10 @@ together with all finer ones.  It climbs until the error is proven.  Exit status
   --write F.yaml  writes the scene with the settings found, and why)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
-  opened.request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
+  if (arguments.has("--budget")) {
+    const std::string problem = read_budget(arguments.text("--budget", ""), opened.request.budget);
+    if (!problem.empty()) throw UsageError("tune: --budget " + problem);
+  }
   opened.request.all = arguments.has("--all") || opened.request.budget > 0.0;
   opened.request.error = length_of(
       arguments, "--error",

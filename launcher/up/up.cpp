@@ -29,6 +29,7 @@
 #include "launcher/up/robot_script.h"
 #include "launcher/up/setup_wish.h"
 #include "launcher/up/shadow.h"
+#include "launcher/up/up_accuracy.h"
 #include "launcher/up/up_syntax.h"
 #include "launcher/up/who_is_there.h"
 #include "lcmtypes/msg/refusal_text.h"
@@ -59,7 +60,6 @@ class Up {
   int run();
 
  private:
-  Placeholders placeholders(const Arguments& arguments) const;
   void refuse_if_someone_publishes();
   void start_all();
   void note_ready();
@@ -85,6 +85,8 @@ class Up {
   std::unique_ptr<RestartRequests> restarts_;
   std::unique_ptr<SetupWishes> wishes_;
   Placeholders values_;
+  std::vector<std::string> own_settings_;  // of values_, without those of the accuracy
+  std::unique_ptr<UpAccuracy> accuracy_;
   std::int64_t model_hash_ = 0;  // of the robot that runs
   Redraw redraw_;
   std::vector<std::string>* held_back_ = nullptr;  // while the run begins anew: what is said only if that fails
@@ -128,6 +130,8 @@ Up::Up(const Arguments& arguments) {
   bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""),
                                    arguments.all("--allow"));
   refuse_if_someone_publishes();
+  accuracy_ = std::make_unique<UpAccuracy>(arguments, model, scene_, stack_, request_);
+  request_.step_s = accuracy_->step_or(request_.step_s);
   bus_->on_raw_state([this](std::span<const std::uint8_t> bytes) { hash_.add(bytes); });
 
   keep_viewer_addresses();
@@ -135,45 +139,16 @@ Up::Up(const Arguments& arguments) {
   write_file(folder_ + "/stack.yaml", stack_.text);
   write_file(folder_ + "/scene.yaml", scene_.text);
   write_file(folder_ + "/commit", commit_of_program() + "\n");
-  values_ = placeholders(arguments);
+  values_ = placeholders_of(arguments, request_, folder_);
+  own_settings_ = values_["settings"];
+  const std::vector<std::string> chosen = accuracy_->words();
+  values_["settings"].insert(values_["settings"].end(), chosen.begin(), chosen.end());
   supervisor_ = std::make_unique<Supervisor>(stack_, values_, folder_,
                                              [this](const std::string& line) { say(line); });
   restarts_ = std::make_unique<RestartRequests>(folder_);
   model_hash_ = model.hash;
   const Setup now{arguments.word(0, "stand"), request_.robot, request_.engine, model.hash};
   wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup", now);
-}
-
-Placeholders Up::placeholders(const Arguments& arguments) const {
-  Placeholders values;
-  auto& bus = values["bus"];
-  for (const char* option : {"--url", "--prefix"}) {
-    for (const std::string& value : arguments.all(option)) bus.insert(bus.end(), {option, value});
-  }
-  std::string allowed;
-  for (const std::string& address : arguments.all("--allow"))
-    allowed += (allowed.empty() ? "" : ",") + address;
-  if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
-  values["robot"] = {"--robot", request_.robot};
-  values["scene"] = {arguments.word(0, "stand")};
-  values["start"] = arguments.has("--start-pose")
-                        ? std::vector<std::string>{"--start-pose", arguments.text("--start-pose", "")}
-                        : std::vector<std::string>{};
-  values["pace"] = pace_words(arguments, request_.patient);
-  values["engine"] = {"--engine", request_.engine};
-  auto& settings = values["settings"];
-  for (const std::string& setting : arguments.all("--set"))
-    settings.insert(settings.end(), {"--set", setting});
-  if (arguments.has("--seed"))
-    settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
-  values["folder"] = {folder_};
-  values["record"] = recorder_words(arguments);
-  values["listen"] = arguments.has("--listen")
-                         ? std::vector<std::string>{"--listen", arguments.text("--listen", "")}
-                         : std::vector<std::string>{};
-  values["log"] = {arguments.text("--log", "")};
-  values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
-  return values;
 }
 
 void Up::say(const std::string& line) {
@@ -323,13 +298,19 @@ void Up::set_up(const std::string& wish) {
   }
   std::string problem;
   std::vector<std::string> lines;
+  bool dropped = false;
   held_back_ = &lines;
   try {
     const Setup setup = wishes_->prepare(wish, request_.robot, stack_, bus_->seen());
     scene_ = load_scene(setup.scene);
     resolve_poses(scene_, load_robot(setup.robot));
+    const Placeholders before = values_;
     fill_in(setup, values_);
     values_["start"].clear();  // the wish names its own
+    if (values_ != before && accuracy_->drop()) {
+      values_["settings"] = own_settings_;
+      dropped = true;
+    }
     supervisor_->fit(values_);
     start_anew(stack_, setup.model_hash != model_hash_, *supervisor_, *bus_);
     model_hash_ = setup.model_hash;
@@ -343,6 +324,7 @@ void Up::set_up(const std::string& wish) {
   // That everything ended and started is what was asked; only where it failed it is told how far it came.
   if (problem.empty()) {
     lines.clear();
+    if (dropped) lines.emplace_back("accuracy: was that of the world before; this one has its scene's own order and step");
     drop_events_of_the_loop(events);
   }
   for (const std::string& line : groups_.take(events, monotonic_ns())) lines.push_back(line);
@@ -448,13 +430,14 @@ bool Up::judge_and_report(bool whole, double wall_s) {
     }
   }
   if (!whole) verdict.failures.push_back("a required process ended");
+  if (const std::string failure = accuracy_->failure(); !failure.empty()) verdict.failures.push_back("accuracy: " + failure);
   verdict.passed = verdict.failures.empty();
   redraw_.clear();
   for (const std::string& line : verdict_lines(verdict, request_)) say(line);
   say(cpu_line(now));
   const std::string hash = request_.lockstep ? hash_.text() : "";
   if (!hash.empty()) say("state_hash " + hash);
-  const std::string json = report_json(verdict, request_, bus_->seen(), wall_s, hash);
+  const std::string json = accuracy_->in_report(report_json(verdict, request_, bus_->seen(), wall_s, hash));
   write_file(folder_ + "/report.json", json);
   if (!report_.empty()) write_file(report_, json);
   return verdict.passed;
@@ -463,6 +446,7 @@ bool Up::judge_and_report(bool whole, double wall_s) {
 int Up::run() {
   say("stack " + stack_.name + ", scene " + request_.scene + ", robot " + request_.robot +
       ", bus " + bus_->url());
+  for (const std::string& line : accuracy_->lines()) say(line);
   start_all();
   if (!quit_requested()) activate();
   if (!quit_requested()) wait_for_first_commands();

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include <unistd.h>
+
 #include "common/process/priority.h"
 
 namespace twinbus {
@@ -23,6 +25,9 @@ A tick that was missed only because the machine itself stood still is told, but 
   --start-pose POSE  of the robot's SRDF, in which it begins; default the scene's
   --seed N  of noise and perturbations
   --set KEY=VALUE  setting of the simulator, as in model.mass_scale=1.03; may be repeated
+  --accuracy LENGTH  order and step by which no link or body is farther from the converged answer, 0.001 or 1mm, as \
+      ./twinbus run finds them, if that fits real time; default the scene's
+  --budget TIME  of CPU for the physics in a control period, 0.5 or 0.5ms: the best accuracy that fits
   --face KIND  answers on DDS as a Unitree robot (unitree_hg, unitree_go), so that programs written for it drive; stack default \
       client
   --interface NAME  network interface of --face; default lo
@@ -70,6 +75,38 @@ std::vector<std::string> pace_words(const Arguments& arguments, bool patient) {
   if (arguments.has("--lockstep") && arguments.has("--for"))
     words.insert(words.end(), {"--for", arguments.text("--for", "")});
   return words;
+}
+
+Placeholders placeholders_of(const Arguments& arguments, const RunRequest& request, const std::string& folder) {
+  Placeholders values;
+  auto& bus = values["bus"];
+  for (const char* option : {"--url", "--prefix"}) {
+    for (const std::string& value : arguments.all(option)) bus.insert(bus.end(), {option, value});
+  }
+  std::string allowed;
+  for (const std::string& address : arguments.all("--allow"))
+    allowed += (allowed.empty() ? "" : ",") + address;
+  if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
+  values["robot"] = {"--robot", request.robot};
+  values["scene"] = {arguments.word(0, "stand")};
+  values["start"] = arguments.has("--start-pose")
+                        ? std::vector<std::string>{"--start-pose", arguments.text("--start-pose", "")}
+                        : std::vector<std::string>{};
+  values["pace"] = pace_words(arguments, request.patient);
+  values["engine"] = {"--engine", request.engine};
+  auto& settings = values["settings"];
+  for (const std::string& setting : arguments.all("--set"))
+    settings.insert(settings.end(), {"--set", setting});
+  if (arguments.has("--seed"))
+    settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
+  values["folder"] = {folder};
+  values["record"] = recorder_words(arguments);
+  values["listen"] = arguments.has("--listen")
+                         ? std::vector<std::string>{"--listen", arguments.text("--listen", "")}
+                         : std::vector<std::string>{};
+  values["log"] = {arguments.text("--log", "")};
+  values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
+  return values;
 }
 
 void refuse_without_log(const Arguments& arguments, const Stack& stack) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/process/arguments.h"
+#include "launcher/run/verdict.h"
 #include "launcher/stack/stack.h"
 
 namespace twinbus {
@@ -22,6 +23,8 @@ bool waits_for_late_commands(const Arguments& arguments, const Stack& stack);
 std::vector<std::string> pace_words(const Arguments& arguments, bool patient);
 // What is said to the robot's face.
 std::vector<std::string> face_options(const Arguments& arguments);
+// What the placeholders of a stack stand for.  folder: of the run.
+Placeholders placeholders_of(const Arguments& arguments, const RunRequest& request, const std::string& folder);
 // Throws UsageError for a stack that plays a log when none is named.
 void refuse_without_log(const Arguments& arguments, const Stack& stack);
 

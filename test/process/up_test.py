@@ -38,6 +38,22 @@ def runs_and_judges(checks):
     checks.that(figures["fell"] is False, "nobody fell")
 
 
+def chooses_by_accuracy(checks):
+    """An error or a budget: order and step of the ladder, in the report, and said where it does not fit."""
+    report = os.path.join(tempfile.mkdtemp(), "report.json")
+    status, out, err = cli("up", "stand", "--for", 1, "--no-viewer", "--budget", "0.5ms", "--report", report, timeout=120)
+    checks.that("up: accuracy: order " in out and " ms of a control period" in out, f"up says what it has chosen: {status} {out}{err}")
+    with open(report, encoding="utf-8") as file:
+        figures = json.load(file)
+    chosen = figures["accuracy"]
+    checks.that(chosen["budget_s"] == 0.0005 and figures["step_s"] == chosen["step_s"], f"the report has it: {chosen}")
+    checks.at_most(1e-3 * chosen["physics_ms_per_s"] * 0.002, 0.0005, "CPU of the physics in a control period")
+    status, out, err = cli("up", "stand", "--for", 1, "--no-viewer", "--budget", "0.1us", timeout=120)
+    checks.that(status == 1 and "FAILED: accuracy: no order and step fits into 0.0001 ms" in out, f"what fits nothing is said: {status} {out}{err}")
+    status, out, err = cli("up", "stand", "--stack", "bridge", "--accuracy", "1mm")
+    checks.that(status == 2 and "one simulator" in err, f"a robot has no order: {status} {out}{err}")
+
+
 def refuses_a_second_one(checks, stack):
     status, _, err = cli("up", "stand", "--no-viewer", "--for", "1")
     checks.that(status == 1 and "already publishes" in err, f"a second up is refused with a reason: {status} {err}")
@@ -167,6 +183,7 @@ def main():
     lists(checks)
     interrupted_choice(checks)
     runs_and_judges(checks)
+    chooses_by_accuracy(checks)
     robot_alone(checks)
     no_process_is_left(checks)
     a_death_is_reported(checks)
