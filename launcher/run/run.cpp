@@ -195,6 +195,20 @@ std::optional<SeedsRequest> seeds_of(const Arguments& arguments) {
   return request;
 }
 
+// A robust scene is another world with each of several seeds; a single one is the world that the scene says.
+void disturb_if_asked(const Arguments& arguments, const std::optional<SeedsRequest>& many, Scene& scene) {
+  const bool asked = arguments.has("--disturbed"), refused = arguments.has("--undisturbed");
+  if (asked && refused) throw UsageError("run: --disturbed or --undisturbed, not both");
+  if (refused) {
+    scene.disturbance = {};
+  } else if ((asked || (many && scene.robust)) && !is_disturbed(scene)) {
+    scene.disturbance = small_disturbance();
+    if (many && !asked) std::printf("starts, masses and friction are drawn from each seed, as by --disturbed with one --seed\n");
+  }
+  if (many && many->seeds.last > many->seeds.first && !draws_from_seed(scene))
+    std::printf("the scene draws nothing from its seed but the noise of its sensors, if it has some: --disturbed makes each seed another world\n");
+}
+
 // The scene once for each seed; undrawn: before a seed has drawn anything in it.  choice: what the first seed alone has shown,
 // may be null.
 int run_many(SeedsRequest seeds, const Model& model, const Scene& undrawn, const OneProcessConfig& config,
@@ -238,7 +252,9 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   --engine E  articulated, ode or mujoco; default the scene's
   --start-pose POSE  of the robot's SRDF, in which it begins; default the scene's
   --seed N  of everything random; default 1
-  --disturbed  a scene without a disturbance of its own gets a small one, drawn from the seed: starts, masses, friction
+  --disturbed  a scene without a disturbance of its own gets a small one, drawn from the seed: starts, masses, friction; \
+      with --seeds a scene that says robust: true has it anyway
+  --undisturbed  nothing of that is drawn
   --seeds A..B  the scene once for each of these seeds, one at a time on each processor
   --jobs N  with --seeds: so many at a time
   --lanes  with --seeds: the physics of four seeds in the lanes of one vector; hashes are those of seeds run so
@@ -267,9 +283,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   start_in(arguments.text("--start-pose", scene.start_pose), model, scene);
   if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
-  if (arguments.has("--disturbed") && !draws_from_seed(scene)) scene.disturbance = small_disturbance();
-  if (many && many->seeds.last > many->seeds.first && !draws_from_seed(scene))
-    std::printf("the scene draws nothing from its seed but the noise of its sensors, if it has some: --disturbed makes each seed another world\n");
+  disturb_if_asked(arguments, many, scene);
   Scene undrawn = scene;
   apply_seed(scene, model, request.seed);
   request.period = model.period();

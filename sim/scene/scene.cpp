@@ -420,6 +420,7 @@ Scene load_scene(const std::string& name_or_file) {
   }
   if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
   if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
+  scene.robust = top.flag("robust", false);
   if (top.has("disturbance")) scene.disturbance = read_disturbance(top.map("disturbance"));
   if (top.has("criteria")) {
     std::vector<std::string> loose, robots;

@@ -98,6 +98,7 @@ struct Disturbance {
   double mass = 0.0;      // of each loose body and of the robot as a whole, relative
   double friction = 0.0;  // of each loose body and of the ground, relative
   double joints = 0.0;    // speed of each of the robot's joints at the start [rad/s or m/s]
+  bool level = false;     // what is loose stays as high and as upright as it was
 };
 
 // The simulated robot is not the one that the controller knows: a mass on a link, a shifted centre of mass.
@@ -158,6 +159,7 @@ struct Scene {
   std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
   PushRound push_round;
   Disturbance disturbance;
+  bool robust = false;             // holds in worlds that are a little different: those of several seeds are
   std::vector<BodyChange> bodies;
   std::vector<LooseBody> loose;    // bodies that nothing holds; planner and guard do not know them
   std::vector<std::string> loose_at;  // where each has its name: "file:line: name"
@@ -190,7 +192,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // position, reach (from the shoulder, in lengths of the arm), rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // footsteps: [at, steps: [foot, x, y, yaw]], motions: [at, file, columns, rate, speed, from, until, upper],
 // terrain: {tile, height, slope_deg, ramp_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
-// sideways, duration}, disturbance: {position, angle_deg, velocity, spin, mass, friction, joints}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
+// sideways, duration}, disturbance: {position, angle_deg, velocity, spin, mass, friction, joints}, robust, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,
 // angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg],
 // self_contact, asleep, loops: as in robot/description/loops.h, grasps:

@@ -95,9 +95,17 @@ void draw_pushes(Scene& scene, const Model& model, Random& random) {
   }
 }
 
-bool asks_for_some(const Disturbance& d) {
-  const auto asked = {d.position, d.angle, d.velocity, d.spin, d.mass, d.friction, d.joints};
-  return std::any_of(asked.begin(), asked.end(), [](double most) { return most > 0.0; });
+// Times a setting that the scene may have already.
+void scale_setting(Scene& scene, const std::string& key, double factor, double otherwise) {
+  const auto is_it = [&](const auto& each) { return each.first == key; };
+  const auto found = std::find_if(scene.settings.rbegin(), scene.settings.rend(), is_it);
+  const double before = found != scene.settings.rend() ? std::stod(found->second) : otherwise;
+  std::erase_if(scene.settings, is_it);
+  scene.settings.emplace_back(key, std::to_string(factor * before));
+}
+
+bool has_setting(const Scene& scene, const std::string& key) {
+  return std::any_of(scene.settings.begin(), scene.settings.end(), [&](const auto& each) { return each.first == key; });
 }
 
 // Every number is drawn, used or not: one figure of a disturbance changes nothing of the others.
@@ -108,21 +116,26 @@ void disturb(Scene& scene, const Model& model, Random& random) {
     const double x = within(most), y = within(most), z = within(most);
     return Eigen::Vector3d(x, y, z);
   };
-  if (!asks_for_some(d)) return;
+  // What lies on something is not pressed into it.
+  const auto along = [&](const Eigen::Vector3d& way) { return Eigen::Vector3d(way.x(), way.y(), d.level ? 0.0 : way.z()); };
+  const auto about = [&](const Eigen::Vector3d& turn) { return d.level ? Eigen::Vector3d(0.0, 0.0, turn.z()) : turn; };
+  if (!is_disturbed(scene)) return;
   for (LooseBody& body : scene.loose) {
-    body.start.pose.translation() += three(d.position);
-    const Eigen::Vector3d turn = three(d.angle);
+    body.start.pose.translation() += along(three(d.position));
+    const Eigen::Vector3d turn = about(three(d.angle));
     if (turn.norm() > 0.0)
       body.start.pose.linear() =
           Eigen::AngleAxisd(turn.norm(), turn.normalized()) * body.start.pose.linear();
-    body.start.velocity += three(d.velocity);
-    body.start.angular_velocity += three(d.spin);
+    body.start.velocity += along(three(d.velocity));
+    body.start.angular_velocity += about(three(d.spin));
     body.mass *= 1.0 + within(d.mass);
     body.friction *= 1.0 + within(d.friction);
   }
-  scene.ground_friction *= 1.0 + within(d.friction);
+  const double rougher = 1.0 + within(d.friction);
+  scene.ground_friction *= rougher;
+  if (d.friction > 0.0 && has_setting(scene, "contact.friction")) scale_setting(scene, "contact.friction", rougher, 1.0);
   const double heavier = 1.0 + within(d.mass);
-  if (d.mass > 0.0) scene.settings.emplace_back("model.mass_scale", std::to_string(heavier));
+  if (d.mass > 0.0) scale_setting(scene, "model.mass_scale", heavier, 1.0);
   for (const Joint& joint : model.joints) {
     const double speed = within(d.joints);
     if (d.joints > 0.0 && joint.mimic < 0) scene.start_velocity.emplace_back(joint.name, speed);
@@ -131,8 +144,14 @@ void disturb(Scene& scene, const Model& model, Random& random) {
 
 }  // namespace
 
+bool is_disturbed(const Scene& scene) {
+  const Disturbance& d = scene.disturbance;
+  const auto asked = {d.position, d.angle, d.velocity, d.spin, d.mass, d.friction, d.joints};
+  return std::any_of(asked.begin(), asked.end(), [](double most) { return most > 0.0; });
+}
+
 bool draws_from_seed(const Scene& scene) {
-  return scene.terrain.length > 0.0 || scene.push_round.count > 0 || asks_for_some(scene.disturbance);
+  return scene.terrain.length > 0.0 || scene.push_round.count > 0 || is_disturbed(scene);
 }
 
 Disturbance small_disturbance() {
@@ -144,6 +163,7 @@ Disturbance small_disturbance() {
   d.mass = 0.02;
   d.friction = 0.1;
   d.joints = 0.05;
+  d.level = true;
   return d;
 }
 

@@ -18,7 +18,10 @@ void apply_seed(Scene& scene, const Model& model, std::uint64_t seed);
 
 // Whether another seed makes another scene of it; noise of the sensors is not asked for here.
 bool draws_from_seed(const Scene& scene);
-// For scenes that ask for no disturbance of their own: one that whoever is robust does not mind.
+// Whether it has a disturbance.
+bool is_disturbed(const Scene& scene);
+// For scenes that ask for no disturbance of their own: one that whoever is robust does not mind.  What is loose stays as high and as
+// upright as it was.
 Disturbance small_disturbance();
 
 // The robot as the scene's bodies change it.  Throws std::runtime_error naming a link that it does not have.

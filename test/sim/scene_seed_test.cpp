@@ -104,6 +104,50 @@ TEST(SceneSeed, ASceneThatDrawsNothingIsKnownAndASmallDisturbanceMakesItDraw) {
   EXPECT_LT(std::abs(one.loose[0].mass / scene.loose[0].mass - 1.0), 0.05);
 }
 
+// A plate that lies on the ground is not pressed into it, and a box in a hand not out of it.
+TEST(SceneSeed, ASmallDisturbanceLeavesWhatIsLooseAsHighAndAsUpright) {
+  Scene scene;
+  scene.loose.emplace_back().start.pose.translation() = Eigen::Vector3d(1, 2, 0.005);
+  scene.disturbance = small_disturbance();
+  for (std::uint64_t seed = 1; seed < 20; ++seed) {
+    Scene drawn = scene;
+    apply_seed(drawn, Model{}, seed);
+    const LooseBody& body = drawn.loose.front();
+    EXPECT_EQ(body.start.pose.translation().z(), 0.005);
+    EXPECT_NEAR(body.start.pose.linear()(2, 2), 1.0, 1e-15);
+    EXPECT_EQ(body.start.velocity.z(), 0.0);
+    EXPECT_GT(std::abs(body.start.velocity.x()), 0.0);
+    EXPECT_GT(std::abs(body.start.angular_velocity.z()), 0.0);
+  }
+}
+
+// What a scene says of mass and friction in its settings is scaled, not replaced.
+TEST(SceneSeed, ADisturbanceScalesTheScenesOwnSettings) {
+  Scene scene;
+  scene.settings = {{"model.mass_scale", "1.2"}, {"contact.friction", "0.3"}};
+  scene.disturbance = small_disturbance();
+  apply_seed(scene, Model{}, 3);
+  ASSERT_EQ(scene.settings.size(), 2U);
+  for (const auto& [key, value] : scene.settings) {
+    const double own = key == "contact.friction" ? 0.3 : 1.2;
+    EXPECT_NEAR(std::stod(value), own, 0.1 * own) << key;
+    EXPECT_GT(std::abs(std::stod(value) - own), 1e-6) << key;
+  }
+}
+
+// `run stand --seeds 1..8` is eight worlds: scenes that ask whether a robot holds say that they are to be drawn.
+TEST(SceneSeed, ScenesOfStandingWalkingAndPushesAreRobust) {
+  int asked = 0;
+  for (const std::string& name : scene_names()) {
+    const Scene scene = load_scene(name);
+    EXPECT_FALSE(is_disturbed(scene) && scene.robust) << name;  // it has a disturbance of its own
+    if (!name.starts_with("walk_") && !name.starts_with("push_") && name != "stand" && name != "plate_underfoot") continue;
+    EXPECT_TRUE(scene.robust) << name;
+    ++asked;
+  }
+  EXPECT_GT(asked, 20);
+}
+
 TEST(Random, IsTheSameEverywhere) {
   Random random(42);
   const std::uint64_t first = random.next();
