@@ -101,7 +101,7 @@ Fingerprint ladder_key(const Model& model, const Scene& scene, const OneProcessC
   FingerprintMaker maker;
   maker.add("ladder 8").add(static_cast<int>(simd()));
   add_this_program(maker);
-  maker.add(scene.text).add(scene.engine).add(scene.robot).add(scene.start_pose);
+  maker.add(scene.text).add(scene.engine).add(scene.robot).add(scene.start_pose).add(scene.origin.x()).add(scene.origin.y());
   add_robot(maker, model);
   add_files(maker, scene);
   maker.add(scene.fidelity).add(static_cast<std::int64_t>(scene.held.size())).add(static_cast<std::int64_t>(scene.rigid.size()));

@@ -35,6 +35,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
+constexpr double kFarthest = 1e5;                     // [m]
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
 
@@ -251,6 +252,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   --for S  simulated seconds; default: the scene's duration
   --engine E  articulated, ode or mujoco; default the scene's
   --start-pose POSE  of the robot's SRDF, in which it begins; default the scene's
+  --away M  all of it begins so far along x from where the scene says [m]
   --seed N  of everything random; default 1
   --disturbed  a scene without a disturbance of its own gets a small one, drawn from the seed: starts, masses, friction; \
       with --seeds a scene that says robust: true has it anyway
@@ -282,6 +284,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   fit_scene(scene, model);
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   start_in(arguments.text("--start-pose", scene.start_pose), model, scene);
+  scene.origin.x() += arguments.number("--away", 0.0, -kFarthest, kFarthest);
   if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
   disturb_if_asked(arguments, many, scene);
   Scene undrawn = scene;

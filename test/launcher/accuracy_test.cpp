@@ -56,6 +56,13 @@ TEST_F(LadderKey, AnotherPoseToStartInHasAnother) {
   }
 }
 
+TEST_F(LadderKey, AnotherPlaceInTheWorldHasAnother) {
+  Scene scene = read();
+  const std::string before = key(scene);
+  scene.origin.x() += 1e4;
+  EXPECT_NE(key(scene), before);
+}
+
 TEST_F(LadderKey, OtherContentOfAFileThatTheSceneNamesHasAnother) {
   const std::string before = key(read());
   write("body.obj", tetrahedron(0.25));
