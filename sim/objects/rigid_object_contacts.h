@@ -6,8 +6,8 @@
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
 // act in series, friction is the geometric mean.  Two boxes that overlap while no corner is about as deep
 // in the other, as where edges cross, meet where they overlap (sim/objects/box_overlap.h).  A body of triangles meets
-// the triangles of all else (sim/objects/rigid_object_mesh.h).  With contact patch boxes, balls and soles press one another
-// with an area (geometry/mesh_contact/patch.h), everything loose so presses ground and tiles; other pairs keep the manifold's points.
+// the triangles of all else (sim/objects/rigid_object_mesh.h).  With contact patch what is convex presses
+// with an area (geometry/mesh_contact/patch.h), and everything loose so presses ground and tiles; pairs with another keep the manifold's points.
 
 #pragma once
 
@@ -93,7 +93,7 @@ class LooseContacts {
     double per_area = 1.0;  // of contact patch: times the springs of a point [1/m^2]
     Eigen::Vector3d box_middle =
         Eigen::Vector3d::Zero();  // of it too: of a mesh that is a box, its own axes
-    bool ball = false;            // and of a loose one
+    bool ball = false, hull = false;  // and of a loose one; of triangles, that nothing lies beyond one of them
     Eigen::Vector3d box_half = Eigen::Vector3d::Zero();  // zero: it is none
     std::vector<Probe> probes;  // in the solid's axes
     int first_key = 0;          // of its probes
@@ -173,7 +173,7 @@ class LooseContacts {
   bool presses(std::size_t own, int other, const Search& search, bool ahead, Patch& patch) noexcept;
   bool ball_presses(std::size_t own, int other, const Search& search, bool ahead,
                     Patch& patch) const noexcept;
-  void press(const Patch& patch, std::size_t own, int other, bool ahead, Search& search) noexcept;
+  void press(const Patch& patch, std::size_t own, int other, bool ahead, bool round, Search& search) noexcept;
   // The least depth of two boxes, or how deep a sole is in the top of one.
   bool box_constraint(const Piece& a, const Piece& b, const Search& search, bool ahead,
                       Eigen::Vector3d& normal, double& depth) const noexcept;

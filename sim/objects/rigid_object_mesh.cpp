@@ -13,6 +13,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
 #include "sim/contact/bristle.h"
+#include "geometry/mesh_contact/hull_overlap.h"
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/world/link_hull.h"
 
@@ -110,7 +111,9 @@ std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid) {
 void LooseContacts::give_meshes() {
   for (Piece& piece : pieces_) {
     if (piece.mesh == nullptr && piece.solid_too) piece.mesh = mesh_of(piece.solid);
-    if (piece.mesh != nullptr) finder_.reserve(*piece.mesh);
+    if (piece.mesh == nullptr) continue;
+    finder_.reserve(*piece.mesh);
+    piece.hull = patches_ && is_hull(*piece.mesh);
   }
 }
 

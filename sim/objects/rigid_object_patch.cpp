@@ -9,6 +9,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/convex_hull.h"
 #include "sim/contact/ground_contacts.h"
+#include "geometry/mesh_contact/hull_overlap.h"
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/objects/rigid_object_mesh.h"
 
@@ -114,16 +115,20 @@ bool LooseContacts::meet_patch(std::size_t own, int other, Search& search) noexc
   const Piece& a = pieces_[own];
   if (other >= 0 && pieces_[at(other)].ball && !a.ball)
     return meet_patch(at(other), static_cast<int>(own), search);
+  bool round = a.ball;  // a cap in closed form
   if (other >= 0 && !pieces_[at(other)].tile && !pieces_[at(other)].ball) {
-    if (!(pieces_[at(other)].box_half.x() > 0.0) || !(a.ball || a.box_half.x() > 0.0)) return false;
+    const Piece& b = pieces_[at(other)];
+    const bool closed_form = b.box_half.x() > 0.0 && (a.ball || a.box_half.x() > 0.0);
+    if (!closed_form && !(a.hull && b.hull)) return false;
+    round = round && closed_form;
   }
   // What presses will press at the end of the step; what only does now may still have to, if something holds it.
   for (const bool ahead : {true, false}) {
     Patch patch;
-    if (!(a.ball ? ball_presses(own, other, search, ahead, patch)
+    if (!(round ? ball_presses(own, other, search, ahead, patch)
                  : presses(own, other, search, ahead, patch)))
       continue;
-    press(patch, own, other, ahead, search);
+    press(patch, own, other, ahead, round, search);
     break;
   }
   return true;
@@ -137,7 +142,14 @@ bool LooseContacts::presses(std::size_t own, int other, const Search& search, bo
   const Piece& b = pieces_[at(other)];
   Eigen::Vector3d normal = b.rotation.col(2);
   double depth = kAnyDepth;
-  if (!b.tile && !box_constraint(a, b, search, ahead, normal, depth)) return false;
+  if (!b.tile && a.box_half.x() > 0.0 && b.box_half.x() > 0.0) {
+    if (!box_constraint(a, b, search, ahead, normal, depth)) return false;
+  } else if (!b.tile) {
+    const HullOverlap overlap = hull_overlap(*a.mesh, pose, *b.mesh, pose_at(b, search, ahead));
+    if (!(overlap.depth > 0.0)) return false;
+    normal = overlap.normal;
+    depth = overlap.depth;
+  }
   return patch_finder_.between(*a.mesh, pose, *b.mesh, pose_at(b, search, ahead), normal,
                                kDeeper * depth + kSlack, patch);
 }
@@ -186,7 +198,7 @@ bool LooseContacts::ball_presses(std::size_t own, int other, const Search& searc
   return true;
 }
 
-void LooseContacts::press(const Patch& patch, std::size_t own, int other, bool ahead,
+void LooseContacts::press(const Patch& patch, std::size_t own, int other, bool ahead, bool round,
                           Search& search) noexcept {
   const Piece& a = pieces_[own];
   const Piece* b = other >= 0 ? &pieces_[at(other)] : nullptr;
@@ -194,7 +206,7 @@ void LooseContacts::press(const Patch& patch, std::size_t own, int other, bool a
   const Eigen::Isometry3d back =
       placed_at(a.rotation, a.center) * pose_at(a, search, ahead).inverse(Eigen::Isometry);
   const ContactParams by_area = times(a.params, a.per_area);
-  const int points = a.ball ? 1 : Patch::kPoints;
+  const int points = round ? 1 : Patch::kPoints;
   Contact found;
   found.params = times(
       b != nullptr ? together(by_area, times(b->params, b->per_area)) : together(by_area, ground_),
@@ -211,7 +223,7 @@ void LooseContacts::press(const Patch& patch, std::size_t own, int other, bool a
   for (int i = 0; i < points; ++i) {
     const PatchPoint& point = patch.point[at(i)];
     found.point = back * point.position;
-    if (a.ball)
+    if (round)
       found.point =
           point.position - h * at_point(body.velocity(a.link), a.center - body.origin());
     Eigen::Vector3d v = at_point(body.velocity(a.link), found.point - body.origin());

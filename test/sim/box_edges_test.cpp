@@ -1,18 +1,25 @@
-// Boxes whose edges cross: by how much boxes overlap, and what the engines make of it.
+// Boxes whose edges cross, and hulls: by how much they overlap, and what the engines make of it.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "both_engines.h"
 #include "common/math/random.h"
+#include "geometry/bounds/convex_hull.h"
+#include "geometry/mesh_contact/hull_overlap.h"
+#include "geometry/mesh_contact/patch.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/objects/box_overlap.h"
+#include "sim/objects/rigid_object_mesh.h"
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/energy_balance.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
+#include "test/no_alloc.h"
 #include "test_models.h"
 #include "world_helpers.h"
 
@@ -227,6 +234,112 @@ TEST_P(FixedBase, APendulumSwingsTheSameWhereverItsBaseIs) {
   const double there = swing(placed({3, -2, 5}, 1.0, {0, 0, 1}));
   EXPECT_LT(here, 0.3);
   EXPECT_NEAR(here, there, 1e-6);
+}
+
+// A prism on a polygon of so many corners about the vertical.
+TriangleMesh prism(int corners, double radius, double height) {
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    for (const double side : {-0.5, 0.5}) points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), side * height);
+  }
+  return convex_hull(points);
+}
+
+double polygon_area(int corners, double radius) { return 0.5 * corners * radius * radius * std::sin(2.0 * std::numbers::pi / corners); }
+
+Eigen::Isometry3d drawn(Random& random, double most) {
+  const auto within = [&](double bound) { return bound * (2.0 * random.uniform() - 1.0); };
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  const double x = within(most), y = within(most), z = within(most);
+  pose.translation() = Eigen::Vector3d(x, y, z);
+  const double a = within(1.0), b = within(1.0), c = within(1.0), angle = within(std::numbers::pi);
+  pose.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d(a, b, c).normalized()).toRotationMatrix();
+  return pose;
+}
+
+// All fifteen directions of two boxes, against what hulls of the same corners find.
+TEST(HullOverlap, BoxesOfTrianglesOverlapAsBoxesDo) {
+  Random random(7);
+  const Eigen::Vector3d size_a(0.2, 0.3, 0.1), size_b(0.15, 0.25, 0.35);
+  const auto a = mesh_of({SolidShape::kBox, size_a}), b = mesh_of({SolidShape::kBox, size_b});
+  ASSERT_TRUE(is_hull(*a));
+  int over = 0, crossing = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Eigen::Isometry3d pose_a = drawn(random, 0.15), pose_b = drawn(random, 0.15);
+    const BoxOverlap boxes = box_overlap(pose_a, 0.5 * size_a, pose_b, 0.5 * size_b);
+    const HullOverlap hulls = hull_overlap(*a, pose_a, *b, pose_b);
+    ASSERT_EQ(hulls.depth > 0.0, boxes.depth > 0.0) << i;
+    // Half through one another, edges that cross may lie outside of what overlaps along the best face.
+    if (!(boxes.depth > 0.0 && boxes.depth < 0.05)) continue;
+    ++over;
+    crossing += boxes.axis >= 6 ? 1 : 0;
+    ASSERT_NEAR(hulls.depth, boxes.depth, 1e-12) << i;
+    ASSERT_NEAR(hulls.normal.dot(boxes.normal), 1.0, 1e-9) << i;
+  }
+  EXPECT_GT(over, 500);
+  EXPECT_GT(crossing, 30);
+}
+
+TEST(HullOverlap, WhatIsNotConvexIsNoHull) {
+  EXPECT_TRUE(is_hull(ContactMesh(prism(12, 0.1, 0.2))));
+  TriangleMesh dented = prism(12, 0.1, 0.2);
+  dented.points[0] *= 0.5;
+  EXPECT_FALSE(is_hull(ContactMesh(dented)));
+}
+
+// A prism is moved over the edge of a box in 0.1 mm: its force never changes by more than 2 % of the whole.
+TEST(HullOverlap, AnEdgeIsCrossedWithoutAJump) {
+  const ContactMesh own(prism(9, 0.05, 0.1)), box(*mesh_of({SolidShape::kBox, {0.4, 0.4, 0.2}}));
+  PatchFinder finder;
+  Eigen::Isometry3d under = Eigen::Isometry3d::Identity();
+  under.translation().z() = -0.1;
+  constexpr double kDeep = 5e-4;
+  double before = -1.0, whole = 0.0, most = 0.0;
+  for (int i = 0; i <= 1200; ++i) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    pose.translation() = Eigen::Vector3d(0.14 + 1e-4 * i, 0.02, 0.05 - kDeep);
+    Patch patch;
+    NoAlloc guard;
+    const HullOverlap overlap = hull_overlap(own, pose, box, under);
+    const bool presses = overlap.depth > 0.0 && finder.between(own, pose, box, under, overlap.normal, 1.5 * overlap.depth + 1e-4, patch);
+    ASSERT_EQ(guard.count(), 0);
+    const double force = presses ? patch.volume * patch.normal.z() : 0.0;
+    if (i == 0) whole = force;
+    if (before >= 0.0) most = std::max(most, std::abs(force - before));
+    before = force;
+  }
+  EXPECT_NEAR(whole, kDeep * polygon_area(9, 0.05), 1e-3 * whole);
+  EXPECT_LT(most, 0.02 * whole);
+  EXPECT_LT(before, 0.02 * whole);  // it has left the box
+}
+
+// m g = k A d: as deep as the springs of the area say, which points of a manifold do not give.
+TEST(HullPatch, APrismOfTrianglesSinksAsFarAsItsAreaSays) {
+  for (const int corners : {5, 8, 12}) {
+    const Model model = test::bystander();
+    WorldConfig config;
+    config.contact = ContactModel::kPatch;
+    config.step = 1e-3;
+    config.obstacles.push_back({ObstacleShape::kBox, {1.0, 1.0, 0.2}, Eigen::Isometry3d(Eigen::Translation3d(5, 0, 0.9))});
+    LooseBody body;
+    body.name = "prism";
+    body.mass = 3.0;
+    body.stiffness = 2e4;
+    body.damping = 200.0;
+    body.start.pose.translation() = Eigen::Vector3d(5.0, 0.0, 1.05);
+    give_mesh(prism(corners, 0.06, 0.1), body);
+    const double per_area = 4.0 / mean_face(body.solid, body.mesh.get());
+    config.loose.push_back(body);
+    const auto world = make_world(model, config);
+    ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+    for (int i = 0; i < 3000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    const double deep = 1.05 - world->loose(0).pose.translation().z();
+    const double expected = body.mass * kGravity / (body.stiffness * per_area * polygon_area(corners, 0.06));
+    EXPECT_NEAR(deep, expected, 0.02 * expected) << corners;
+    EXPECT_LT(world->loose(0).velocity.norm(), 2e-3) << corners;
+  }
 }
 
 }  // namespace
