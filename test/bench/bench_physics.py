@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push accuracy map convergence brick tumble piles loops robots manifold effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push accuracy map convergence brick tumble piles loops robots patch manifold effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
@@ -12,7 +12,7 @@ import statistics
 import sys
 
 import stability_map
-from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
+from physics_lab import Lab, Ours, call, cost_at, error, median_of, ratio, slope
 
 short_of = []
 rows = []
@@ -324,6 +324,17 @@ def loops(lab, _rounds):
     row("loops", "unconverged steps in these", "0", f"{unconverged:g}", unconverged == 0, unit="")
 
 
+def patch(lab, rounds):
+    """What the area under the soles costs beside points at their corners, on the plane and on tiles of 0.3 m."""
+    for ground, asked in (("", 1.5), ("+tiles", 2.5)):
+        for order in ("", "2"):
+            area, corners = (Ours(lab.program, f"articulated{order}{law}{ground}", "") for law in ("+patch", ""))
+            for scene, h in (("stand", 2e-3), ("push", 1e-3)):
+                _, all_rows = median_of(rounds, *[lambda e=e: e.run(scene, h, 3)["cost"] for e in (area, corners)])
+                at_most("patch", f"{scene}, order {order or 1}, {'tiles' if ground else 'plane'}: cost over that of corners there", asked,
+                        ratio(all_rows, 1, 0))
+
+
 def manifold(lab, rounds):
     runs = [call(lab.program.parent / "manifold_bench", 0.2) for _ in range(rounds)]
     if not all(runs):
@@ -382,7 +393,7 @@ def determinism(lab, _rounds):
 CASES = {"free": free, "flight": lambda lab, rounds: smooth(lab, "flight", ((1e-8, 42),), rounds),
          "arm": lambda lab, rounds: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14)), rounds), "stand": stand, "push": push, "accuracy": accuracy, "map": stability,
          "convergence": convergence, "brick": brick, "tumble": tumble,
-         "piles": piles, "loops": loops, "robots": robots, "manifold": manifold, "effort": effort, "determinism": determinism}
+         "piles": piles, "loops": loops, "robots": robots, "patch": patch, "manifold": manifold, "effort": effort, "determinism": determinism}
 
 
 def main(words):

@@ -2,7 +2,8 @@
 """./twinbus chart physics [CHART...] [--out DIR] [--redraw]: work against precision of every engine, and where each fails.
 
 Charts: flight arm stand push landing slide (error against CPU time of one thread per simulated second, one curve for each
-engine and method, the points are step sizes; of GAUSS8 in parts the errors it is asked for), map (which stands are stable), size (cost against the number of joints), robots
+engine, method and contact law, the points are step sizes; of GAUSS8 in parts the errors it is asked for), choices_push choices_box (error
+against CPU time of a driven scene with what `tune` and `fidelity: auto` choose for 10, 1 and 0.1 mm), map (which stands are stable), size (cost against the number of joints), robots
 (against the number of robots), system (a standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
 control rate, sensors), hyperbola (Fig. 10 of the paper: the walking pendulum, closed form beside simulation), release sway stamp walk_rough
 (Figs. 12 to 15: a damped oscillation beside its linear model, the normal force of a foot on soft soles and in rigid contact, and on rough ground
@@ -16,6 +17,7 @@ import math
 import sys
 
 import charts
+import choices_figure
 import paper_figures
 import pendulum_figure
 import plot
@@ -36,11 +38,16 @@ ABOUT = {
 
 
 def contenders(lab, chart):
-    """(engine, steps, step of its own reference or None for the common one)"""
+    """(engine, steps, step of its own reference, another engine with its step, or None for the common one)"""
     smooth = chart in ("flight", "arm")
     both = [lab.articulated, lab.articulated2, lab.articulated3] + (lab.flight if smooth else [])
     for engine in both:
         yield engine, STEPS[:6] if smooth else STEPS[:7], None
+    for engine in lab.laws if not smooth else []:
+        if engine.method.startswith("articulated"):
+            yield engine, STEPS[:7], (lab.finest_of(engine), 5e-5)
+        else:
+            yield engine, STEPS[:4], {"slide": 1e-4}.get(chart, 5e-4)
     yield lab.ode, STEPS[:4] if not smooth else STEPS[:5], None if smooth else {"slide": 1e-4}.get(chart, 5e-4)
     for version in lab.mujocos:
         methods = ("euler", "rk4") if smooth else ("implicitfast" if not version.startswith("2.") else "implicit", "euler")
@@ -60,7 +67,8 @@ def measure(lab, chart):
             return {"engine": name, "step_s": h, "cpu_ms_per_s": "", "error_m": "failed"}
         return {"engine": name, "step_s": h, "cpu_ms_per_s": f"{run['cost']:.5g}", "error_m": f"{error(run, limit):.4g}"}
     for engine, steps, own in contenders(lab, chart):
-        limit = reference if own is None else engine.run(chart, own, 1)
+        judge, step = own if isinstance(own, tuple) else (engine, own)
+        limit = reference if own is None else judge.run(chart, step, 1)
         for h in steps:
             yield point(engine.label, engine, h, limit)
         print(f"{chart}: {engine.label}", flush=True)
@@ -155,8 +163,9 @@ def draw_system(rows, folder):
 
 
 MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure, "hyperbola": pendulum_figure.measure,
-           **paper_figures.MEASURE}
-DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system, "hyperbola": pendulum_figure.draw, **paper_figures.DRAW}
+           **choices_figure.MEASURE, **paper_figures.MEASURE}
+DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system, "hyperbola": pendulum_figure.draw,
+        **choices_figure.DRAW, **paper_figures.DRAW}
 NAMES = (*ABOUT, *MEASURE)
 
 

@@ -13,8 +13,8 @@ from chart_walk import FAST, above
 
 RELEASED, SHOWN = 3.0, 2.5  # [s], of scene release
 ANKLE = 17  # LLEG_ANKLE_P on the bus of hrp1s
-CONTACTS = (("articulated", "spring_damper", "soft soles, articulated"), ("ode", "spring_damper", "soft soles, ode"),
-            ("ode", "rigid", "rigid contact, ode"))
+CONTACTS = (("articulated", "spring_damper", "soft soles, articulated"), ("articulated", "hunt_crossley", "hunt_crossley, articulated"),
+            ("articulated", "patch", "patch, articulated"), ("ode", "spring_damper", "soft soles, ode"), ("ode", "rigid", "rigid contact, ode"))
 
 
 def recorded(lab, channel, fields, *words):

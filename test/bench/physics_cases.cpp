@@ -13,7 +13,8 @@
 //     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
 // METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78, -gauss8 in flight;
-// -gauss8-1e-7: in parts that are right to 1e-7 rad/s.
+// -gauss8-1e-7: in parts that are right to 1e-7 rad/s.  With +patch or +hunt_crossley behind it: with that contact law; with +tiles
+// on tiles.
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -40,8 +42,32 @@ namespace {
 
 const std::string kGauss8 = "articulated-gauss8";
 
-WorldConfig config_of(const PhysicsScene& scene, const std::string& method, double h) {
+// Level ground of tiles with a seam between the soles and one across them.
+void lay_tiles(WorldConfig& config) {
+  constexpr double kEdge = 0.3, kThick = 0.1;  // [m]
+  for (int i = -4; i < 4; ++i) {
+    for (int k = -4; k < 4; ++k) {
+      Obstacle tile;
+      tile.shape = ObstacleShape::kBox;
+      tile.size << kEdge, kEdge, kThick;
+      tile.pose.translation() << kEdge * (i + 0.5), kEdge * (k + 0.5), -0.5 * kThick;
+      config.tiles.push_back(tile);
+    }
+  }
+}
+
+WorldConfig config_of(const PhysicsScene& scene, const std::string& asked, double h) {
   WorldConfig config;
+  std::istringstream words(asked);
+  std::string method;
+  std::getline(words, method, '+');
+  for (std::string word; std::getline(words, word, '+');) {
+    if (word == "tiles") {
+      lay_tiles(config);
+    } else if (!contact_of(word, config.contact)) {
+      throw std::runtime_error("no contact law '" + word + "'");
+    }
+  }
   config.step = h;
   config.fixed_base = scene.fixed_base;
   if (method == "ode") {

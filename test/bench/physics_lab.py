@@ -227,6 +227,10 @@ class Lab:
         self.articulated3 = Ours(self.program, "articulated3", "articulated, order 3")
         self.ode = Ours(self.program, "ode", "ODE direct")
         self.flight = [Ours(self.program, f"articulated-{m}", f"articulated, {m.upper()}") for m in ("ab4", "rk4", "rkf78", "gauss8")]
+        # The other contact laws; spring_damper is above.
+        self.laws = [Ours(self.program, f"{method}+{law}", f"{name}, {law}") for law in ("hunt_crossley", "patch")
+                     for method, name in (("articulated", "articulated 1"), ("articulated2", "articulated 2"))]
+        self.laws.append(Ours(self.program, "ode+patch", "ODE direct, patch"))
         # In as many parts as make no speed wrong by more [rad/s]; H may be the whole flight.
         self.parted = [Ours(self.program, f"articulated-gauss8-{most}", f"articulated, GAUSS8 to {most}") for most in ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8")]
         self.mujocos = {}  # version -> program
@@ -234,6 +238,11 @@ class Lab:
         self._find_mujoco()
         self.trees = list(self._find_trees())
         self.pinocchio = self._find_pinocchio()
+
+    def finest_of(self, engine):
+        """The method of the same contact law whose finest run is nearest to its converged answer."""
+        law = engine.method.partition("+")[2]
+        return next(other for other in self.laws if other.method == f"articulated2+{law}")
 
     def models(self, scene, gain=1.0):
         if (scene, gain) not in self._written:

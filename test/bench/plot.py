@@ -12,6 +12,17 @@ WIDTH, HEIGHT = 900, 560
 LEFT, RIGHT, TOP, BOTTOM = 82, 250, 62, 62
 
 
+def mark(x, y, k, color, size=3.6, hollow=False):
+    """The k-th shape, so that curves are told apart without colours too."""
+    look = f"fill='{'white' if hollow else color}' stroke='{color}' stroke-width='{2.0 if hollow else 0.8}'"
+    corners = {1: ((-1, -1), (1, -1), (1, 1), (-1, 1)), 2: ((0, -1.3), (1.15, 0.9), (-1.15, 0.9)), 3: ((0, -1.45), (1.45, 0), (0, 1.45), (-1.45, 0)),
+               4: ((-1.15, -0.9), (1.15, -0.9), (0, 1.3)), 5: ((-0.5, -1.4), (0.5, -1.4), (0.5, 1.4), (-0.5, 1.4)),
+               6: ((-1.4, -0.5), (1.4, -0.5), (1.4, 0.5), (-1.4, 0.5))}.get(k % 7)
+    if corners is None:
+        return f"<circle cx='{x:.1f}' cy='{y:.1f}' r='{size}' {look}/>"
+    return f"<polygon points='{' '.join(f'{x + size * i:.1f},{y + size * j:.1f}' for i, j in corners)}' {look}/>"
+
+
 def text(x, y, words, size=13, anchor="start", color="#222", weight="normal", turn=None):
     rotate = f" transform='rotate({turn} {x:.1f} {y:.1f})'" if turn else ""
     return (f"<text x='{x:.1f}' y='{y:.1f}' font-size='{size}' text-anchor='{anchor}' fill='{color}' font-weight='{weight}' "
@@ -29,11 +40,12 @@ def frame(title, subtitle, width=WIDTH, height=HEIGHT):
             text(LEFT, 46, subtitle, 12, color="#555")]
 
 
-def loglog(title, subtitle, x_name, y_name, curves, marks=()):
-    """curves: [(label, [(x, y)], dashed)]; marks: [(y, words)], horizontal lines.  Points that are not positive are left out."""
+def loglog(title, subtitle, x_name, y_name, curves, marks=(), choices=()):
+    """curves: [(label, [(x, y)], dashed)]; marks: [(y, words)], horizontal lines; choices: [(label, [(x, y)])], large hollow marks.  Points that
+    are not positive are left out."""
     curves = [(label, [(x, y) for x, y in points if x > 0.0 and y > 0.0], dashed) for label, points, dashed in curves]
     curves = [curve for curve in curves if curve[1]]
-    every = [point for _, points, _ in curves for point in points]
+    every = [point for _, points, _ in curves for point in points] + [point for _, points in choices for point in points]
     x0, x1 = (f(math.log10(x) for x, _ in every) for f in (min, max))
     y0, y1 = (f(math.log10(y) for _, y in every) for f in (min, max))
     x0, x1, y0, y1 = math.floor(x0 * 2) / 2, math.ceil(x1 * 2) / 2, math.floor(y0), math.ceil(y1)
@@ -67,10 +79,14 @@ def loglog(title, subtitle, x_name, y_name, curves, marks=()):
         color, dash = COLORS[k % len(COLORS)], " stroke-dasharray='6 4'" if dashed else ""
         way = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y in points)
         out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='2.2'{dash}/>")
-        out += [f"<circle cx='{px(x):.1f}' cy='{py(y):.1f}' r='3.4' fill='{color}'/>" for x, y in points]
+        out += [mark(px(x), py(y), k, color) for x, y in points]
         y = TOP + 12 + 21 * k
         out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'{dash}/>")
-        out.append(text(right + 46, y + 4, label, 12))
+        out += [mark(right + 27, y, k, color), text(right + 46, y + 4, label, 12)]
+    for k, (label, points) in enumerate(choices):
+        out += [mark(px(x), py(y), k, "#000", 8.0 - 2.5 * k, True) for x, y in points]
+        y = TOP + 12 + 21 * (len(curves) + k)
+        out += [mark(right + 27, y, k, "#000", 8.0 - 2.5 * k, True), text(right + 46, y + 4, label, 12)]
     out.append("</svg>")
     return "\n".join(out)
 
