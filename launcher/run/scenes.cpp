@@ -53,7 +53,8 @@ std::string why_not(const Scene& scene, const Model& model) {
 }
 
 bool has_all(const std::string& text, const std::vector<std::string>& words) {
-  return std::all_of(words.begin(), words.end(), [&](const std::string& word) { return text.find(small(word)) != std::string::npos; });
+  return std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return text.find(small(word)) != std::string::npos; });
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ int scenes_command(const std::vector<std::string>& words) {
   const Arguments arguments({"scenes", 0, 20, R"([WORD...] [OPTION...]
 Lists the scenes of config/scenes and what happens in each; with words only those that have all of them in name or
 text, small letters or capitals.  ./twinbus run SCENE judges one, ./twinbus up SCENE shows it.
-  --robot NAME|DIR  those that are for this robot, then those that are not, each with what it needs and the robot does not have)"}, words);
+  --robot NAME|DIR  those that are for this robot, then those that are not and what they need that it does not have)"}, words);
   const std::vector<std::string> names = scene_names();
   const std::string robot = arguments.text("--robot", "");
   const std::optional<Model> model = robot.empty() ? std::nullopt : std::optional(load_robot(robot));

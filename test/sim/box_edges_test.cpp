@@ -19,7 +19,7 @@
 #include "sim/engine/energy_balance.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
-#include "test/no_alloc.h"
+#include "common/allocation/no_alloc.h"
 #include "test_models.h"
 #include "world_helpers.h"
 
