@@ -31,7 +31,6 @@ constexpr double kShorterBy = 0.85;  // each by this share of the last
 constexpr double kBeside = 0.015, kParallel = 0.03;  // so nearly feet stand side by side [m], [rad]
 constexpr double kForget = 0.8;     // share of an unevenness that the next landing leaves
 constexpr double kMostMore = 0.03;  // a foot is lifted more on uneven ground [m]
-constexpr double kRemember = 0.9;   // share of a roughness that the next landing leaves
 constexpr double kSmooth = 0.1, kRough = 0.3;  // of the lift: ground on which a robot dares all of its speed, and on which least
 constexpr double kDared = 0.45;     // of the fastest walk, there
 
@@ -69,6 +68,7 @@ bool WalkPattern::side_by_side() const noexcept {
 void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   feet_ = feet;
   slope_.reset();
+  rough_.reset();
   wanted_.setZero();
   velocity_.setZero();
   listed_ = list_count_ = 0;
@@ -77,7 +77,7 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   time_ = single_time_ = 0.0;
   double_ = kLeast;
   period_ = gait_.period();
-  since_landing_ = adjusted_ = uneven_ = rough_ = 0.0;
+  since_landing_ = adjusted_ = uneven_ = 0.0;
   squares_ = tidy_ = false;
   halting_ = unforeseen_ = false;
   rest_ = zmp_from_ = zmp_ = dcm_ = middle();
@@ -200,12 +200,18 @@ void WalkPattern::land(const Foothold& where, const Foothold& stood) noexcept {
   braking_ = true;
   slope_.stood_on(stood.gradient);
   const int landed = 1 - support_;
-  const double step = std::abs(where.height - on_ground(where, foot(support_)).height);
-  uneven_ = std::max(kForget * uneven_, step);
+  const Foothold& stands = foot(support_);
+  uneven_ = std::max(kForget * uneven_, std::abs(where.height - on_ground(where, stands).height));
   // A sole that its ankle cannot turn about both axes does not tell how the ground is.
   const bool tells = !gait_.leans && gait_.sole_low.x() < gait_.sole_high.x();
-  const double rose = tells ? (gait_.toe + gait_.heel) * (stood.gradient - slope_.gradient()).norm() : 0.0;
-  rough_ = std::max({kRemember * rough_, step, rose});
+  rough_.landed({.way = where.position - stands.position,
+                 .rise = where.height - stands.height,
+                 .landed = where.gradient,
+                 .gradient = stood.gradient,
+                 .forward = where.turn(Eigen::Vector2d::UnitX()),
+                 .toe = tells ? gait_.toe : 0.0,
+                 .heel = tells ? gait_.heel : 0.0},
+                slope_.gradient());
   feet_[static_cast<std::size_t>(landed)] = where;
   ++steps_;
   if (listed_ < list_count_) ++listed_;
@@ -268,7 +274,7 @@ bool WalkPattern::try_to_stand(const Eigen::Vector2d& measured_dcm, double omega
 }
 
 Eigen::Vector3d WalkPattern::dared() const noexcept {
-  const double rough = std::clamp((rough_ / gait_.lift - kSmooth) / (kRough - kSmooth), 0.0, 1.0);
+  const double rough = std::clamp((rough_.roughness() / gait_.lift - kSmooth) / (kRough - kSmooth), 0.0, 1.0);
   const double most = 1.0 - (1.0 - kDared) * rough;
   const double share = Gait::share_of(wanted_, gait_.most_velocity);
   return share > most ? Eigen::Vector3d(wanted_ * (most / share)) : wanted_;

@@ -11,6 +11,7 @@
 
 #include "control/walk/dcm_plan.h"
 #include "control/walk/footsteps.h"
+#include "control/walk/ground_roughness.h"
 #include "control/walk/ground_slope.h"
 #include "control/walk/preview_plan.h"
 #include "control/walk/step_adjust.h"
@@ -110,6 +111,7 @@ class WalkPattern {
   Gait gait_;
   SwingFoot swing_;
   GroundSlope slope_;
+  GroundRoughness rough_;
   std::optional<PreviewPlan> preview_;
   bool unforeseen_ = false;                          // a stop or a step that no preview knew of
   std::array<ZmpPiece, 2 + 2 * kAhead + 1> pieces_;  // of the ZMP to come
@@ -122,7 +124,6 @@ class WalkPattern {
   bool squares_ = false;  // the feet are still to be put side by side
   bool tidy_ = false;     // and as far apart as the robot stands
   double uneven_ = 0.0;   // the steps up and down that the last landings met [m]
-  double rough_ = 0.0;    // the same, remembered for longer, and what the ground rose under soles that stood [m]
   double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
   double since_landing_ = 0.0, period_;                   // measured, of a step [s]
   Foothold planned_, target_;  // of the foot that moves; the latter adjusted to catch the robot
