@@ -101,7 +101,7 @@ void CrawlPattern::move(const Eigen::Vector2d& way) noexcept {
 
 bool CrawlPattern::may_lift(const StepGait& gait, const FourPoints& feet, const Eigen::Vector2d& com,
                             const Eigen::Vector2d& capture) const noexcept {
-  const int leg = StepGait::kOrder[at(gait.quarter())];
+  const int leg = gait.leg_of(gait.quarter());
   return std::min(inside_others(feet, leg, com), inside_others(feet, leg, capture)) > kMayLift * keep_;
 }
 
@@ -113,7 +113,7 @@ void CrawlPattern::update(const StepGait& gait, const FourPoints& feet, const Ei
   double later = 0.0, left = 1.0;
   Eigen::Vector2d capture = Eigen::Vector2d::Zero(), from = zmp_;
   for (int step = 0; step < kAhead; ++step) {
-    const int leg = StepGait::kOrder[at((gait.quarter() + step) % 4)];
+    const int leg = gait.leg_of(gait.quarter() + step);
     const double shift = step == 0 ? gait.shift_left() : gait.shift_time();
     const double swing = step == 0 ? gait.step_left() : gait.swing_time();
     const Eigen::Vector2d target = nearest_inside(ahead, leg, middle_ + (later + shift + 0.5 * swing) * velocity, keep_);

@@ -196,14 +196,14 @@ FourPoints PointFeet::anchors() const noexcept {
   return places;
 }
 
-void PointFeet::begin_gait(bool crawls) noexcept {
+void PointFeet::begin_gait(bool crawls, bool backwards) noexcept {
   double yaw = 0.0;
   height_.aim_from(motion_.position().z(), motion_.velocity().z(), 0.0, body_.height, kSettle);
   reference_.head<2>() = com_.head<2>();
   yaw_reference_ = yaw_;
   if (crawls) {
     crawl_.start(com_.head<2>(), home(yaw).head<2>());
-    gait_.begin_crawl();
+    gait_.begin_crawl(backwards);
   } else {
     gait_.begin();
   }
@@ -225,7 +225,9 @@ bool PointFeet::may_rest() const noexcept {
 void PointFeet::decide(double dt) noexcept {
   const bool wanted = walks_ && !halts_ && (wanted_.head<2>().norm() > 0.0 || wanted_.z() != 0.0);
   const bool crawls = gait_.crawls_at(wanted_);
-  const bool asked = wanted && (!gait_.steps() || crawls == gait_.crawls());  // else it stands first
+  const bool backwards = crawls && gait_.backwards_at(wanted_);
+  const bool same = crawls == gait_.crawls() && (!crawls || backwards == gait_.backwards());
+  const bool asked = wanted && (same || !gait_.steps());  // else it stands first
   stays_ = wanted && !asked;
   quiet_ = asked ? 0.0 : quiet_ + dt;
   if (body_.two()) return begin_steps(dt);
@@ -236,7 +238,7 @@ void PointFeet::decide(double dt) noexcept {
   bool lost = std::abs(capture.x()) > kCaught * body_.length || std::abs(capture.y()) > kCaught * body_.width;
   if (!gait_.steps()) {
     if (!asked && !lost) return;
-    begin_gait(crawls && !lost);
+    begin_gait(crawls && !lost, backwards);
     quiet_ = 0.0;
     return;
   }

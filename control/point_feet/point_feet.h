@@ -77,7 +77,7 @@ class PointFeet final : public Behavior {
   void measure(const Estimator& estimator, double dt) noexcept;
   void decide(double dt) noexcept;
   void begin_steps(double dt) noexcept;
-  void begin_gait(bool crawls) noexcept;
+  void begin_gait(bool crawls, bool backwards) noexcept;
   bool may_rest() const noexcept;
   FourPoints anchors() const noexcept;
   void move_reference(double dt) noexcept;

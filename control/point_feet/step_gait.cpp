@@ -16,6 +16,7 @@ constexpr double kTurn = 0.2;       // of sqrt(g / h)
 constexpr double kFarthest = 0.45;  // of the height
 constexpr double kCrawlFroude = 0.07, kCrawlTurn = 0.03;  // of a crawl, as above
 constexpr double kSlower = 0.8;     // of what a crawl does at most: it trots no longer
+constexpr double kClearly = 0.2;    // of a crawl's most: backwards, or forward again
 constexpr double kLatest = 0.5;     // of a step: whose foot is farther on is sent up again by a trot that catches it
 }  // namespace
 
@@ -49,6 +50,11 @@ bool StepGait::crawls_at(const Eigen::Vector3d& velocity) const noexcept {
   return velocity.cwiseQuotient(most_crawl_).norm() <= (steps_ && !crawls_ ? kSlower : 1.0);
 }
 
+bool StepGait::backwards_at(const Eigen::Vector3d& velocity) const noexcept {
+  const double clearly = kClearly * most_crawl_.x();
+  return velocity.x() < (steps_ && crawls_ && backwards_ ? clearly : -clearly);
+}
+
 Eigen::Vector2d StepGait::from_capture_point(int leg, const Eigen::Vector2d& velocity, double width) const noexcept {
   const Eigen::Vector2d on = velocity * (step_time() / (std::exp(omega_ * step_time()) - 1.0));
   return -on + Eigen::Vector2d(0.0, (leg == 0 ? width : -width) * inward());
@@ -60,14 +66,15 @@ void StepGait::begin(int leg) noexcept {
   phase_ = leg == 1 || leg == 2 ? 0.5 : 0.0;
 }
 
-void StepGait::begin_crawl() noexcept {
+void StepGait::begin_crawl(bool backwards) noexcept {
   steps_ = crawls_ = true;
+  backwards_ = backwards;
   ends_ = false;
   phase_ = 0.0;
 }
 
 void StepGait::trot_on() noexcept {
-  const int leg = kOrder[static_cast<std::size_t>(quarter())];
+  const int leg = leg_of(quarter());
   const double done = swings(leg) ? std::min(swing_done(leg), kLatest) : 0.0;
   begin(leg);
   phase_ += done * swing_share();
@@ -77,8 +84,9 @@ void StepGait::trot_on() noexcept {
 double StepGait::phase_of(int leg) const noexcept {
   double p = phase_;
   if (crawls_) {  // its own begins as it leaves the ground
-    const auto turn = std::find(kOrder.begin(), kOrder.end(), leg) - kOrder.begin();
-    p -= 0.25 * (static_cast<double>(turn) + kShift);
+    int turn = 0;
+    while (turn < 3 && leg_of(turn) != leg) ++turn;
+    p -= 0.25 * (turn + kShift);
     if (p < 0.0 && p > -1e-9) p = 0.0;
   } else if (leg == 1 || leg == 2) {
     p += 0.5;
@@ -88,7 +96,7 @@ double StepGait::phase_of(int leg) const noexcept {
 
 bool StepGait::swings(int leg) const noexcept {
   if (!crawls_) return steps_ && phase_of(leg) < swing_share();
-  return steps_ && kOrder[static_cast<std::size_t>(quarter())] == leg && in_quarter() >= kShift;
+  return steps_ && leg_of(quarter()) == leg && in_quarter() >= kShift;
 }
 
 double StepGait::swing_done(int leg) const noexcept { return phase_of(leg) / swing_share(); }

@@ -5,8 +5,8 @@
 //
 //     p = hip + v_asked T_stance / 2 + (v - v_asked) / omega,      omega = sqrt(g / h)
 //
-// Crawl: one foot at a time, hind left, front left, hind right, front right; before each all four stand while the weight shifts
-// (crawl_pattern).
+// Crawl: one foot at a time, hind left, front left, hind right, front right, and backwards the front one of a side first; before each
+// all four stand while the weight shifts (crawl_pattern).
 //
 // One of two, T after the other one, comes down where the capture point xi will be then, less what lets it go on as asked with
 // feet W apart (Khadiv et al., Walking control based on step timing adaptation, T-RO 2020):
@@ -53,13 +53,15 @@ class StepGait {
 
   // Whether it is to crawl at such a velocity; who trots goes on until it is clearly slower.
   bool crawls_at(const Eigen::Vector3d& velocity) const noexcept;
+  // Whether a crawl at such a velocity goes backwards; one that does already, until it goes clearly forward.
+  bool backwards_at(const Eigen::Vector3d& velocity) const noexcept;
 
   bool steps() const noexcept { return steps_; }
   bool crawls() const noexcept { return crawls_; }  // now, or the last time that it stepped
   // The pair of that leg is in the air first.
   void begin(int leg = 0) noexcept;
   // One foot at a time, after a shift.
-  void begin_crawl() noexcept;
+  void begin_crawl(bool backwards = false) noexcept;
   // A crawl that is being lost becomes a trot at once: the foot in the air stays there, its pair joins it.
   void trot_on() noexcept;
   // Stops as soon as all feet stand.
@@ -76,13 +78,15 @@ class StepGait {
 
   // Of a crawl, whose period has four quarters, each a shift and a step: the leg of a quarter, which one it is, and how long the
   // shift and the step of this one still last [s].
-  static constexpr std::array<int, 4> kOrder{2, 0, 3, 1};
+  int leg_of(int quarter) const noexcept { return (backwards_ ? kBackwards : kForward)[static_cast<std::size_t>(quarter % 4)]; }
+  bool backwards() const noexcept { return backwards_; }
   int quarter() const noexcept { return static_cast<int>(4.0 * phase_) % 4; }
   double shift_left() const noexcept;
   double step_left() const noexcept;
   double shift_time() const noexcept { return 0.25 * kShift * period(); }
 
  private:
+  static constexpr std::array<int, 4> kForward{2, 0, 3, 1}, kBackwards{0, 2, 1, 3};
   static constexpr double kDuty = 0.58;
   static constexpr double kCrawlPeriods = 4.0;  // of a trot
   static constexpr double kShift = 0.4;         // of a quarter
@@ -94,7 +98,7 @@ class StepGait {
   double omega_, period_, lift_, farthest_;
   Eigen::Vector3d most_, most_crawl_;
   PointGait wanted_;
-  bool steps_ = false, ends_ = false, crawls_ = false;
+  bool steps_ = false, ends_ = false, crawls_ = false, backwards_ = false;
   double phase_ = 0.0;
 };
 

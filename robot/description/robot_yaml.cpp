@@ -133,7 +133,12 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     }
     hands.finish();
   }
-  if (top.has("walking")) (void)read_walking(top.map("walking"));          // control reads it again
+  if (top.has("walking")) {
+    const ConfigNode walking = top.map("walking");
+    if (walking.has("gait") && top.has("soles"))
+      walking.fail("gait", "is of robots on four point feet, and this one has soles: leave it out, or `soles`, whose feet then are points");
+    (void)read_walking(walking);  // control reads it again
+  }
   for (const ConfigNode& node : top.list("loops")) (void)read_loop(node);  // the simulator does too
   (void)top.choice("collision", {"own", "fcl"}, 0);  // collision.cpp reads it again
   (void)top.list("near_pairs");                      // robot/collision/near_pairs.h reads it

@@ -137,6 +137,11 @@ TEST(StepGait, ACrawlLiftsOneFootAtATimeAndOnlyWhenItMay) {
   }
   EXPECT_EQ(most, 1);
   EXPECT_EQ(lifted, (std::array<int, 4>{1, 1, 1, 1}));
+  for (const bool backwards : {false, true}) {
+    gait.begin_crawl(backwards);
+    for (const int quarter : {0, 2}) EXPECT_EQ(gait.leg_of(quarter) < 2, backwards) << "of a side the front foot goes first backwards";
+    EXPECT_EQ(gait.leg_of(0) % 2, gait.leg_of(1) % 2);
+  }
   gait.begin_crawl();
   for (int i = 0; i < 5000; ++i) gait.advance(dt, false);
   for (int leg = 0; leg < 4; ++leg) EXPECT_FALSE(gait.swings(leg)) << "its weight is not above the others";
@@ -157,6 +162,17 @@ TEST(StepGait, TheSpeedChoosesBetweenCrawlAndTrot) {
   EXPECT_TRUE(gait.crawls_at(0.9 * slow));
   EXPECT_LT(StepGait(body, PointGait::kCrawl).possible(fast).x(), fast.x());
   EXPECT_FALSE(StepGait(body).crawls_at(slow));
+}
+
+TEST(StepGait, ACrawlGoesBackwardsUntilItGoesClearlyForward) {
+  const PointFeetBody body(test::four_legged(1.0));
+  StepGait gait(body, PointGait::kCrawl);
+  const Eigen::Vector3d most(gait.most_velocity().x(), 0.0, 0.0);
+  EXPECT_FALSE(gait.backwards_at(-0.1 * most));
+  EXPECT_TRUE(gait.backwards_at(-0.5 * most));
+  gait.begin_crawl(true);
+  EXPECT_TRUE(gait.backwards_at(0.1 * most));
+  EXPECT_FALSE(gait.backwards_at(0.5 * most));
 }
 
 TEST(CrawlPattern, APointIsBroughtIntoTheTriangleOfTheOthers) {
@@ -318,6 +334,23 @@ TEST(Quadruped, TrotsOnWhileAnotherSimulatorTakesOver) {
 }
 
 TEST(Quadruped, CrawlsOnWhileAnotherSimulatorTakesOver) { goes_on_while_another_simulator_takes_over(load_robot("quad12"), 0.1); }
+
+// Of its weight what is nearest to the edge of the feet that carry it.
+TEST(Quadruped, CrawlsBackwardsOnThreeFeetAndMore) {
+  const Model model = load_robot("quad12");
+  SimRig rig(model, flat(), kNoisy, {});
+  EXPECT_TRUE(rig.run(0.5));
+  rig.ask(Mode::kWalk);
+  EXPECT_TRUE(trot(rig, 2.0, -0.1, 0.0, 0.0));
+  const double from = rig.truth().base_position[0];
+  double margin = 1.0;
+  for (int i = 0; i < 3000; ++i) {
+    ASSERT_TRUE(trot(rig, 0.002, -0.1, 0.0, 0.0));
+    margin = std::min(margin, static_cast<double>(rig.truth().zmp_margin));
+  }
+  EXPECT_LT(rig.truth().base_position[0] - from, -0.45);
+  EXPECT_GT(margin, 0.01);
+}
 
 TEST(TwoPointFeet, AreFoundAndAreNoSoles) {
   const Model& model = test::point_legged(1.0, 2);

@@ -57,6 +57,17 @@ TEST(LoadRobot, BusOrderIsTheOrderOfTheFile) {
   EXPECT_EQ(model.poses[0].q, (std::vector<double>{0.5, 0.0}));
 }
 
+TEST(LoadRobot, AGaitOfPointFeetIsRefusedOfARobotWithSoles) {
+  Folder folder;
+  folder.yaml += "walking:\n  lift: 0.04\n  gait: crawl\n";
+  EXPECT_EQ(folder.error(), "");
+  folder.yaml += "soles: {left: {frame: b, front: 0.1, back: 0.1, left: 0.05, right: 0.05, stiffness: 1e5, damping: 1e3, friction: 0.8}}\n";
+  const std::string error = folder.error();
+  EXPECT_NE(error.find("robot.yaml:5"), std::string::npos) << error;
+  EXPECT_NE(error.find("gait"), std::string::npos) << error;
+  EXPECT_NE(error.find("four point feet"), std::string::npos) << error;
+}
+
 TEST(LoadRobot, HashFollowsTheNominalModelOnly) {
   Folder folder;
   const std::int64_t hash = folder.load().hash;
