@@ -1,7 +1,8 @@
 // How rough the ground is that a walking robot finds: what no plane foretold of its landings.
 //
-// Of a landing two things may differ from a plane of gradient k: how much higher the foot came down than the other one, where a sole
-// turned as g_l touches the plane with its toe or its heel, and how the sole that carried the robot meanwhile was turned, times its length:
+// Of a landing two things may differ from a plane of gradient k: how much higher the foot came down than the other one,
+// where a sole turned as g_l touches the plane with its toe or its heel, and how the sole that carried the robot meanwhile was
+// turned, times its length:
 //
 //     e = max(|dh - k . dp - max over toe and heel of (k - g_l) . edge|, length |s - k|)
 //

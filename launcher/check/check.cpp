@@ -208,6 +208,8 @@ void print(const Model& model, const Extent& extent) {
   }
 }
 
+json to_json(const WalkBound& bound) { return {{"most", bound.most}, {"why", bound.why}}; }
+
 json to_json(const Trial& trial, const WalkTrial& walk) {
   return {{"refusal", trial.refusal},
           {"cannot_balance", trial.cannot_balance},
@@ -217,6 +219,9 @@ json to_json(const Trial& trial, const WalkTrial& walk) {
             {"fastest_m_s", walk.fastest},
             {"step_m", walk.step},
             {"limit", walk.limit},
+            {"slope_deg", to_json(walk.slope_deg)},
+            {"push_m_s", to_json(walk.push)},
+            {"push_aside_m_s", to_json(walk.push_aside)},
             {"runs", walk.runs},
             {"cpu_s", walk.cpu_s}}},
           {"stood", trial.stood},
@@ -225,6 +230,11 @@ json to_json(const Trial& trial, const WalkTrial& walk) {
           {"figures", trial.figures},
           {"failures", trial.failures},
           {"weak", trial.weak}};
+}
+
+void print(const char* what, const WalkBound& bound, const char* unit, const char* more) {
+  print_typed(stdout, "  %s %.3g %s%s%s%s%s\n", what, bound.most, unit, bound.why.empty() ? "" : "; ", bound.why.empty() ? "" : more,
+              bound.why.empty() ? "" : ": ", bound.why.c_str());
 }
 
 void print(const Trial& trial) {
@@ -276,6 +286,10 @@ void print(const WalkTrial& walk) {
   }
   std::printf("%s: %.2f m/s forward, steps of %.2f m, legs of %.2f m (%d walks in %.1f s)%s%s\n", walk.trots ? "trots" : "walks",
               walk.fastest, walk.step, walk.leg, walk.runs, walk.cpu_s, walk.limit.empty() ? "" : "; faster: ", walk.limit.c_str());
+  std::printf("at half of that:\n");
+  print("up a slope of", walk.slope_deg, "degrees", "steeper");
+  print("pushed forward by", walk.push, "m/s", "harder");
+  print("pushed to the side by", walk.push_aside, "m/s", "harder");
 }
 
 void print(const char* title, const std::vector<Suspicion>& all) {

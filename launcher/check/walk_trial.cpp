@@ -16,6 +16,7 @@
 #include "launcher/run/local_stack.h"
 #include "robot/description/walking_config.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_seed.h"
 
 namespace twinbus {
 
@@ -33,6 +34,13 @@ constexpr double kGain = 1.08;         // a gait that does not walk so much fast
 constexpr double kPlenty = 0.16;       // of sqrt(g l) [1]: who walks so fast gives up no margin for more
 constexpr double kCalm = 0.5;          // of the usual gait's largest speed: where margins are compared
 constexpr double kMargin = 0.9;        // of the usual gait's least margin of the zero-moment point
+constexpr double kDegrees = 57.29577951308232;
+constexpr double kBeyondPatience = 4.0;    // of the processor's time, for slopes and pushes together [s]
+constexpr double kSteepest = 20.0, kHardest = 0.35;  // tried: [degrees]; change of velocity, of sqrt(g l)
+constexpr double kSlopeTilt = 10.0, kPushTilt = 20.0;  // [degrees]
+constexpr double kBeforeRamp = 0.5, kFrontFeet = 0.5, kRampWidth = 3.0;  // of the leg
+constexpr double kPushed = 3.0;        // of a walk that is pushed in its middle [s]
+constexpr int kHalvings = 4;
 constexpr double kPinned = 0.98;       // of a limit: the joint is at it
 constexpr double kNearEnd = 0.01;      // of a range: the joint is at its end [rad]
 
@@ -139,14 +147,16 @@ class Search {
   double margin() const { return margin_; }
 
   // Whether it walks so; why not: failure(), limit().
-  bool walks(const GaitChoice& gait, double speed, double seconds) {
+  bool walks(const GaitChoice& gait, double speed, double seconds) { return passes(gait, walk_scene(model_, speed, seconds)); }
+  // The same of any walk.
+  bool passes(const GaitChoice& gait, Scene scene) {
     ++runs_;
     take(gait);
     failure_.clear();
     limit_.clear();
     margin_ = -1.0;
     try {
-      const Scene scene = walk_scene(model_, speed, seconds);
+      apply_seed(scene, model_, 1);
       OneProcess run(model_, scene, {});
       LimitWatch limits(model_);
       const auto ticks = static_cast<std::int64_t>(std::llround(scene.duration / model_.period()));
@@ -278,6 +288,65 @@ bool judged(const Search& search, const Found& found, double begin, double speed
   return false;
 }
 
+// The largest share of what is hardest with which the walk that `scene_of` makes of it passes; why not more.
+template <class SceneOf>
+Found most_of(Search& search, const GaitChoice& gait, double ends, const SceneOf& scene_of) {
+  Found found;
+  double fails = 1.0;
+  for (int k = 0; k <= kHalvings && cpu_seconds() < ends; ++k) {
+    const double share = k == 0 ? 1.0 : 0.5 * (found.speed + fails);
+    if (search.passes(gait, scene_of(share))) {
+      found.speed = share;
+      if (k == 0) break;
+    } else {
+      fails = share;
+      found.failure = search.failure();
+      found.limit = search.limit();
+    }
+  }
+  return found;
+}
+
+WalkBound bound_of(const Found& found, double hardest) {
+  return {found.speed * hardest, found.failure + (found.failure.empty() || found.limit.empty() ? "" : "; ") + found.limit};
+}
+
+// At half of its speed: how steep it walks up, and how hard it may be pushed meanwhile.
+void find_bounds(const Model& model, const GaitChoice& choice, WalkTrial& trial) {
+  const double begin = cpu_seconds(), speed = 0.5 * trial.fastest;
+  Search search(model, kBeyondPatience);
+  const auto ends = [&](int part) { return begin + kBeyondPatience * part / 3.0; };
+  const Found slope = most_of(search, choice, ends(1), [&](double share) {
+    Scene scene = walk_scene(model, speed, kShort);
+    scene.terrain.ramp = share * kSteepest / kDegrees;
+    scene.terrain.from = (kBeforeRamp + (trial.trots ? kFrontFeet : 0.0)) * trial.leg;
+    scene.terrain.tile = speed * (kShort + kStop);  // one goes up, and there the walk ends
+    scene.terrain.length = 3.0 * scene.terrain.tile;
+    scene.terrain.width = std::max(scene.terrain.tile, kRampWidth * trial.leg);
+    scene.criteria.max_tilt_deg = kSlopeTilt;
+    return scene;
+  });
+  trial.slope_deg = bound_of(slope, kSteepest);
+  const double hardest = kHardest * std::sqrt(kGravity * trial.leg);
+  for (const bool aside : {false, true}) {
+    const Found push = most_of(search, choice, ends(aside ? 3 : 2), [&](double share) {
+      Scene scene = walk_scene(model, speed, kPushed);
+      Push shove;
+      shove.link = model.links.front().name;
+      shove.point = model.links.front().com;
+      shove.impulse[aside ? 1 : 0] = share * hardest * model.total_mass();
+      shove.at = kStart + 0.5 * kPushed;
+      scene.pushes.push_back(shove);
+      scene.criteria.max_tilt_deg = kPushTilt;
+      scene.criteria.velocity_error_percent = std::nan("");
+      return scene;
+    });
+    (aside ? trial.push_aside : trial.push) = bound_of(push, hardest);
+  }
+  trial.runs += search.runs();
+  trial.cpu_s += cpu_seconds() - begin;
+}
+
 WalkTrial find_steps(const Model& model, double patience) {
   WalkTrial trial;
   const double begin = cpu_seconds();
@@ -294,6 +363,7 @@ WalkTrial find_steps(const Model& model, double patience) {
   GaitChoice choice;
   choice.fastest = trial.fastest;
   trial.walking = choice.text();
+  find_bounds(model, choice, trial);
   return trial;
 }
 
@@ -341,6 +411,7 @@ WalkTrial find_walk(const Model& model, double patience) {
   choice.fastest = std::floor(1e3 * trial.fastest) / 1e3;
   trial.fastest = choice.fastest;
   trial.walking = choice.text();
+  find_bounds(model, choice, trial);
   return trial;
 }
 

@@ -136,7 +136,7 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
   if (top.has("walking")) {
     const ConfigNode walking = top.map("walking");
     if (walking.has("gait") && top.has("soles"))
-      walking.fail("gait", "is of robots on four point feet, and this one has soles: leave it out, or `soles`, whose feet then are points");
+      walking.fail("gait", "is of robots on four point feet, and this one has soles: leave it out");
     (void)read_walking(walking);  // control reads it again
   }
   for (const ConfigNode& node : top.list("loops")) (void)read_loop(node);  // the simulator does too

@@ -84,6 +84,9 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
     obstacles_.push_back(tile);
     obstacle_radius_.push_back(bounding_radius(solid_of(tile)));
   }
+  tiled_ = !config.tiles.empty() && soles_[0].link < 0 && soles_[1].link < 0;
+  for (std::size_t i = solid_; tiled_ && i < obstacles_.size(); ++i)
+    rise_ = std::max(rise_, obstacles_[i].pose.translation().z() + obstacle_radius_[i]);
   // Of a side its four corners at each surface, or its patches and the corners.
   sole_keys_ = kSoleCorners * (static_cast<int>(obstacles_.size()) + 1);
   if (config.contact == ContactModel::kPatch) {
@@ -190,6 +193,18 @@ Distance under_tile(const Obstacle& box, const Eigen::Vector3d& point) noexcept 
   return {over ? p.z() - 0.5 * box.size.z() : 1.0, box.pose.linear().col(2)};
 }
 
+std::size_t GroundContacts::deepest_tile(const Eigen::Vector3d& point, Distance& d) const noexcept {
+  std::size_t met = 0;
+  for (std::size_t i = solid_; i < obstacles_.size(); ++i) {
+    if ((obstacles_[i].pose.translation() - point).norm() > obstacle_radius_[i] + kHigh) continue;
+    const Distance under = under_tile(obstacles_[i], point);
+    if (!(under.value < d.value)) continue;
+    d = under;
+    met = i + 1;
+  }
+  return met;
+}
+
 void GroundContacts::find(const ArticulatedBody& body, double h,
                           std::vector<Contact>& contacts) const noexcept {
   contacts.clear();
@@ -281,8 +296,8 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
   const double far = reach_of(body.fastest(reach_), h);
   for (const ShapeProbes& shape : shapes_) {
     if (solid_ == 0) {  // most are high above the ground, and their link's origin says so
-      if (!(body.height(shape.link) < shape.extent + far)) continue;
-      if (!(body.height(shape.link, shape.center) < shape.radius + far)) continue;
+      if (!(body.height(shape.link) < shape.extent + far + rise_)) continue;
+      if (!(body.height(shape.link, shape.center) < shape.radius + far + rise_)) continue;
     }
     const LinkNow link = body.link(shape.link);
     const Eigen::Vector3d middle = link.origin + link.rotation * shape.center;
@@ -294,7 +309,7 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
     for (std::size_t surface = 0; surface <= solid_; ++surface) {
       const Eigen::Vector3d at = body.origin() + middle;
       if (surface == 0) {
-        if (!(at.z() < shape.radius + reach)) continue;
+        if (!(at.z() < shape.radius + reach + rise_)) continue;
       } else {
         const Obstacle& obstacle = obstacles_[surface - 1];
         const double apart = (obstacle.pose.translation() - at).norm();
@@ -308,13 +323,14 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         const LinkProbe& probe = probes_[i];
         if (surface == 0) {  // of most, how high they are is enough
           const double height = middle_height + up.dot(probe.center);
-          if (!(probe.radius - height > -reach)) continue;
+          if (!(probe.radius + rise_ - height > -reach)) continue;
         }
         const Eigen::Vector3d center = link.origin + link.rotation * probe.center;
-        const Distance d = distance(surface, body.origin() + center);
+        Distance d = distance(surface, body.origin() + center);
+        const std::size_t met = surface == 0 && tiled_ ? deepest_tile(body.origin() + center, d) : surface;
         if (!(probe.radius - d.value > -reach)) continue;
         found.link = shape.link;
-        found.key = 2 * sole_keys_ + static_cast<int>(i * surfaces + surface);
+        found.key = 2 * sole_keys_ + static_cast<int>(i * surfaces + met);
         found.material = !(probe.radius > 0.0);
         found.depth = probe.radius - d.value;
         found.normal = d.normal;
@@ -331,8 +347,11 @@ void GroundContacts::clearance(const World& world, std::vector<double>& nearest)
     const Eigen::Isometry3d link = world.link_in_world(shape.link);
     for (std::size_t i = shape.first; i < shape.first + shape.count; ++i) {
       const Eigen::Vector3d center = link * probes_[i].center;
-      for (std::size_t surface = i < shape.first + shape.bare ? 0 : 1; surface <= solid_; ++surface)
-        near = std::min(near, distance(surface, center).value - probes_[i].radius);
+      for (std::size_t surface = i < shape.first + shape.bare ? 0 : 1; surface <= solid_; ++surface) {
+        Distance d = distance(surface, center);
+        if (surface == 0 && tiled_) (void)deepest_tile(center, d);
+        near = std::min(near, d.value - probes_[i].radius);
+      }
     }
   }
 }

@@ -6,6 +6,8 @@
 // that a fallen robot lies on the ground and a hand does not pass through a table; an edge of an
 // obstacle that enters a shape between its probes is not seen.
 //
+// Tiles of uneven ground meet the soles, and of a robot without soles every probe: its feet are points.
+//
 // The bristles of friction are remembered here from step to step: the anchor of a point that is
 // fixed in its link, the stretch of one that rolls along it.
 
@@ -108,6 +110,8 @@ class GroundContacts {
 
   void add_probes(int link, const Shape& shape, const Model& model);
   Distance distance(std::size_t surface, const Eigen::Vector3d& point) const noexcept;
+  // The tile in which that point, so far from the ground, is deeper, and how far from it then; 0: it is deepest in the ground.
+  std::size_t deepest_tile(const Eigen::Vector3d& point, Distance& d) const noexcept;
   void find_corners(const ArticulatedBody& body, double h,
                     std::vector<Contact>& contacts) const noexcept;
   void find_patches(const ArticulatedBody& body, double h, std::size_t& cursor,
@@ -130,6 +134,8 @@ class GroundContacts {
   std::vector<Obstacle> obstacles_;  // the solid ones, then the tiles of uneven ground
   std::size_t solid_ = 0;            // so many
   std::vector<double> obstacle_radius_;
+  bool tiled_ = false;               // probes meet tiles too
+  double rise_ = 0.0;                // no tile that they meet is higher [m]
   std::vector<LinkProbe> probes_;
   std::vector<ShapeProbes> shapes_;
   std::vector<Memory> memory_;  // in the order of find()

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/scene/scene_seed.h"
 #include "test/bench/two_sources.h"
 #include "test/control/four_legged.h"
 #include "test/control/sensor_noise.h"
@@ -253,6 +254,32 @@ TEST(Quadruped, TrotsWhereItIsToldAndStandsAgain) {
     EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
     EXPECT_FALSE(rig.record().fell);
     EXPECT_LT(rig.record().base_tilt_max, 0.15) << size;
+  }
+}
+
+// Points meet tiles as soles do, in both engines.
+TEST(Quadruped, ClimbsASlope) {
+  const Model& model = test::four_legged(1.0);
+  Scene scene = flat();
+  scene.terrain.ramp = 0.12;
+  scene.terrain.from = 0.5;
+  scene.terrain.tile = 3.0;
+  scene.terrain.length = 9.0;
+  apply_seed(scene, model, 1);
+  for (const char* engine : {"articulated", "ode"}) {
+    Settings settings = kNoisy;
+    settings.emplace_back("engine", engine);
+    SimRig rig(model, scene, settings, {});
+    EXPECT_TRUE(rig.run(0.5));
+    const double from = rig.truth().base_position[2];
+    rig.ask(Mode::kWalk);
+    EXPECT_TRUE(trot(rig, 4.0, 0.5, 0.0, 0.0));
+    const auto& to = rig.truth().base_position;
+    EXPECT_GT(to[0], 1.5) << engine;
+    EXPECT_NEAR(to[2] - from, std::tan(0.12) * (to[0] - 0.5), 0.03) << engine;
+    rig.ask(Mode::kBalance);
+    EXPECT_TRUE(rig.run(2.5));
+    EXPECT_FALSE(rig.record().fell) << engine;
   }
 }
 

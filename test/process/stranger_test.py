@@ -57,6 +57,30 @@ def legs_of(joints):
     return text
 
 
+def climbs(scratch, folder, walk, degrees):
+    """What `run` says of walking up so steep a ramp at half of the speed, which is not scaled as the scene is of this robot."""
+    half = 0.5 * walk["fastest_m_s"]
+    tile = 7.5 * half
+    scene = pathlib.Path(scratch) / "ramp.yaml"
+    scene.write_text(f"robot: {folder}\n" + walk_scene(8.5, 5, half, 10, 20) +
+                     f"terrain: {{tile: {tile:.3f}, ramp_deg: {degrees}, from: {0.5 * walk['leg_m']:.3f}, length: {3 * tile:.3f}, width: {tile:.3f}}}\n")
+    return cli("run", str(scene), timeout=120)
+
+
+def bounds(checks, scratch, folder, walk):
+    """The steepest slope is walked, a clearly steeper one is not, and what ends it there is said; likewise of pushes."""
+    slope = walk["slope_deg"]
+    status, out, err = climbs(scratch, folder, walk, slope["most"])
+    checks.that(slope["most"] > 0 and status == 0, f"walks up the slope that check reports: {slope} {out}{err}")
+    checks.that(bool(slope["why"]) or slope["most"] == 20, f"what ends it above that is said: {slope}")
+    if slope["most"] <= 10:
+        status, out, err = climbs(scratch, folder, walk, 2 * slope["most"])
+        checks.that(status == 1 and "FAILED" in out, f"not one twice as steep: {slope} {out}{err}")
+    for push in (walk["push_m_s"], walk["push_aside_m_s"]):
+        most = 0.35 * math.sqrt(9.81 * walk["leg_m"])
+        checks.that(0 < push["most"] < 1.001 * most and (bool(push["why"]) or push["most"] > 0.999 * most), f"pushed while it walks: {push}")
+
+
 def other_legs(checks, scratch):
     """Half of the speed that is reported is walked, and is at least 0.08 sqrt(g leg)."""
     for joints in (5, 7):
@@ -71,6 +95,7 @@ def other_legs(checks, scratch):
         scene.write_text(walk_scene(13.5, 10, half, 5, 20))
         status, out, err = cli("run", str(scene), "--robot", folder, timeout=120)
         checks.that(status == 0 and "passed" in out, f"legs of {joints} joints walk for 10 s: {out}{err}")
+        bounds(checks, scratch, folder, walk)
         status, out, err = cli("run", "walk_forward", "--robot", folder, timeout=120)
         checks.that("no ZMP margin is asked" in out if joints == 5 else "no ZMP margin" not in out, f"a margin is asked of soles that hold one: {out}{err}")
         checks.that("ZMP came as near" not in out or joints == 7, f"and not of others: {out}")
@@ -126,7 +151,7 @@ def main():
         other_legs(checks, scratch)
         refusals(checks, scratch)
         for name, file, words in (("panda", "panda.urdf", ("arm_hold, arm_reach, arm_scan and arm_pick are its scenes", "next: ./twinbus run arm_reach")),
-                                  ("go1", "go1.urdf", ("point feet: ", "stands: ", "trots: ", "next: ./twinbus run stand"))):
+                                  ("go1", "go1.urdf", ("point feet: ", "stands: ", "trots: ", "up a slope of ", "pushed to the side by ", "next: ./twinbus run stand"))):
             if (DATA / name / file).is_file():
                 _, out, err = cli("check", str(DATA / name / file), "--propose", os.path.join(scratch, name), timeout=120)
                 checks.that(all(one in out for one in words), f"{name} is told what can be done with it: {out[-600:]}{err}")
