@@ -157,9 +157,9 @@ def draw_system(rows, folder):
     names = list(dict.fromkeys(row["stack"] for row in rows))
     curves = [(name, [(float(r["cpu_ms_per_s"]), float(r["error_m"])) for r in rows if r["stack"] == name and r["error_m"] != "failed"],
                name.startswith("ode")) for name in names]
-    return plot.write(folder / "system.svg", plot.loglog("The whole stack: standing and swaying, 3 s", "where the base is, against order 3 at 0.25 ms; one "
+    return plot.write(folder / "system.svg", plot.loglog("The whole stack: standing and swaying, 3 s", "where the base is, against order 3 at 0.25 ms of the same law; one "
                                                          "process, with controller and guard; points are steps",
-                                                         "time of the loop, ms per simulated second", "error [m]", curves, ((1e-3, "1 mm"), (1e-4, "0.1 mm"))))
+                                                         "CPU time of everything, ms per simulated second", "error [m]", curves, ((1e-3, "1 mm"), (1e-4, "0.1 mm"))))
 
 
 MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure, "hyperbola": pendulum_figure.measure,

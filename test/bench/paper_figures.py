@@ -13,8 +13,8 @@ from chart_walk import FAST, above
 
 RELEASED, SHOWN = 3.0, 2.5  # [s], of scene release
 ANKLE = 17  # LLEG_ANKLE_P on the bus of hrp1s
-CONTACTS = (("articulated", "spring_damper", "soft soles, articulated"), ("articulated", "hunt_crossley", "hunt_crossley, articulated"),
-            ("articulated", "patch", "patch, articulated"), ("ode", "spring_damper", "soft soles, ode"), ("ode", "rigid", "rigid contact, ode"))
+CONTACTS = (("articulated", "spring_damper", "soft soles"), ("articulated", "hunt_crossley", "hunt_crossley"), ("articulated", "patch", "patch"),
+            ("ode", "spring_damper", "soft soles, ode"), ("ode", "rigid", "rigid contact, ode"))
 
 
 def recorded(lab, channel, fields, *words):
@@ -75,13 +75,12 @@ def measure_feet(lab, scene, begin, end, contacts=CONTACTS):
 
 
 def draw_feet(rows, folder, scene, title):
-    curves, words = [], []
+    curves = []
     for name in dict.fromkeys(row["contact"] for row in rows):
         own = [(float(r["time"]), float(r["force_n"])) for r in rows if r["contact"] == name]
-        curves.append((name, own))
-        words.append(f"{name} {100.0 * above([force for _, force in own], FAST, 0.002):.2f} %")
+        curves.append((f"{name}, {100.0 * above([force for _, force in own], FAST, 0.002):.2f} %", own))
     curves.sort(key=lambda curve: "rigid" not in curve[0])  # the others on top of it
-    return plot.write(folder / f"{scene}.svg", plot.lines(title, f"above {FAST:.0f} Hz, of the weight: {'; '.join(words)}", "time [s]",
+    return plot.write(folder / f"{scene}.svg", plot.lines(title, f"in %: what of it is above {FAST:.0f} Hz, of the weight", "time [s]",
                                                           "force [N]", curves))
 
 

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 
 COLORS = ("#1f6fb4", "#d1495b", "#2a9d5c", "#8a4fbf", "#e08a1e", "#0f8b8d", "#7a5c3e", "#666666", "#c2410c", "#3f3cbb")
+DASHES = ("", "9 3", "3 3", "9 3 2 3", "1.5 4")
 FONT = "font-family='DejaVu Sans, Helvetica, Arial, sans-serif'"
 WIDTH, HEIGHT = 900, 560
 LEFT, RIGHT, TOP, BOTTOM = 82, 250, 62, 62
@@ -211,9 +212,10 @@ def lines(title, subtitle, x_name, y_name, curves, outlines=(), alike=False):
     out.append(text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
     for k, (label, points) in enumerate(curves):
         color, y = COLORS[k % len(COLORS)], TOP + 12 + 21 * k
+        dash = f" stroke-dasharray='{DASHES[k % len(DASHES)]}'" if DASHES[k % len(DASHES)] else ""  # told apart without colours too
         way = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in points)
-        out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='1.6'/>")
-        out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'/>" + text(right + 46, y + 4, label, 12))
+        out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='1.6'{dash}/>")
+        out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'{dash}/>" + text(right + 46, y + 4, label, 12))
     out.append("</svg>")
     return "\n".join(out)
 

@@ -1,7 +1,7 @@
 """A standing and swaying robot with its controller, for choices of the whole stack: error and cost of each.
 
-Each choice is a scene file of its own for `twinbus run`.  Cost is the time that the run's own loop takes, the least of several
-runs; error is how far the base is, at two ends of a run, from where it is with the finest choice: of the same contact law with engine
+Each choice is a scene file of its own for `twinbus run`.  Cost is the CPU time of what a long run has more than a short one, the least of
+several; error is how far the base is, at two ends of a run, from where it is with the finest choice: of the same contact law with engine
 articulated, of spring_damper with ode.
 """
 
@@ -9,6 +9,7 @@ import json
 import math
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import tempfile
@@ -16,6 +17,8 @@ import tempfile
 from physics_lab import ROOT
 
 ENDS = (2.5, 3.0)  # [s], both while it sways
+SHORT, LONG = 1.0, 9.0  # [s], of which the difference is the cost
+ROUNDS = 3
 SCENE = """about: Standing, the body sways from side to side.
 modes:
   - {at: 0, mode: balance}
@@ -54,7 +57,7 @@ def robot_of(period, folder):
 
 
 def run(program, stack, step, end, folder):
-    """(base x, y, yaw; seconds per simulated one), or None if it fails."""
+    """(base x, y, yaw; CPU of the whole process [s]), or None if it fails."""
     _, engine, contact, order, period, noise, _ = stack
     settings = dict(NOISE) if noise else {}
     if order > 1:
@@ -65,11 +68,12 @@ def run(program, stack, step, end, folder):
     words = [program, "run", scene, "--for", f"{end}", "--report", report]
     if period != PERIOD:
         words += ["--robot", robot_of(period, folder)]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if done.returncode != 0:
         return None
-    seen = json.loads(report.read_text())
-    return seen["base_final_xyyaw"], seen["wall_s"] / seen["sim_time_s"]
+    return json.loads(report.read_text())["base_final_xyyaw"], after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def measure(lab):
@@ -88,7 +92,7 @@ def measure(lab):
                 row = {"stack": stack[0], "step_s": step, "cpu_ms_per_s": "", "error_m": "failed"}
                 if all(ends):
                     off = max(math.dist(at[:2], exact[:2]) for (at, _), exact in zip(ends, finest[law]))
-                    costs = [seconds for _, seconds in ends] + [run(program, stack, step, 1.0, folder)[1] for _ in range(3)]
-                    row.update(cpu_ms_per_s=f"{1e3 * min(costs):.5g}", error_m=f"{off:.4g}")
+                    long, short = (min(run(program, stack, step, end, folder)[1] for _ in range(ROUNDS)) for end in (LONG, SHORT))
+                    row.update(cpu_ms_per_s=f"{1e3 * (long - short) / (LONG - SHORT):.5g}", error_m=f"{off:.4g}")
                 yield row
             print(f"system: {stack[0]}", flush=True)
