@@ -4,6 +4,7 @@ twinbus_package(nlohmann-json3-dev nlohmann_json 3.10)
 twinbus_pkg_config(zstd libzstd libzstd-dev)
 twinbus_package(libboost-dev Boost 1.71)  # headers only: Asio and Beast
 twinbus_pkg_config(sdl2 sdl2 libsdl2-dev)
+twinbus_pkg_config(fcl fcl libfcl-dev)  # what tests and benches compare collision checks with
 twinbus_package(libgtest-dev GTest)
 twinbus_package(python3 Python3 COMPONENTS Interpreter)
 

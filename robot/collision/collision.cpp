@@ -4,11 +4,9 @@
 #include <iterator>
 #include <utility>
 
-#include "robot/collision/collision_fcl.h"
 #include "robot/description/hand_of.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/collision/collision_impl.h"
-#include "common/text/strict_yaml.h"
 #include "common/math/index.h"
 
 namespace twinbus {
@@ -23,13 +21,6 @@ using Owner = CollisionOwner;
 
 constexpr double kMicrometre = 1e-6;  // [m]
 constexpr float kCoarse = 1e-6F;      // what a bound in single precision may lose [m]
-
-// robot.yaml, collision: own or fcl.
-bool by_fcl(const Model& model) {
-  if (model.yaml_text.empty()) return false;
-  return ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name)
-             .choice("collision", {"own", "fcl"}, 0) == 1;
-}
 
 }  // namespace
 
@@ -52,7 +43,6 @@ Collision::Impl::Impl(const Model& robot, bool goes_on_ways)
     owners.push_back(std::move(owner));
   }
   link_owners = moved_owners = static_cast<int>(owners.size());
-  gap.asks_fcl = by_fcl(robot);
   measure_reach();
   travel_to.assign(robot.links.size(), 0.0);
   walked_to = step = Eigen::VectorXd::Zero(robot.joint_count());
@@ -414,20 +404,6 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
     }
   }
   return found;
-}
-
-bool Collision::touches_by_fcl(const Kinematics& kinematics, const CollisionPair& pair) {
-  Impl& i = *impl_;
-  i.look_at(kinematics);
-  Owner& a = i.owner(i.owner_of[static_cast<std::size_t>(pair.link_a)]);
-  Owner& b = i.owner(i.owner_of[static_cast<std::size_t>(pair.link_b)]);
-  for (Body& body_a : a.shapes) {
-    for (Body& body_b : b.shapes) {
-      if (fcl_touches(*body_a.fcl, i.placed(a, body_a), *body_b.fcl, i.placed(b, body_b)))
-        return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace twinbus

@@ -3,10 +3,8 @@
 // Capsules around all shapes first (broad_phase.h), then a separating direction remembered from the last query (a lower
 // bound, so what is remembered never changes an answer), then the distance of convex shapes
 // (gjk.h), which is the hull's for a mesh.  Meshes whose hulls are nearer than 20 mm are measured
-// triangle by triangle (mesh_distance.h).  A robot.yaml with collision: fcl has its distances from
-// FCL instead, behind the same bounds; that is slow, and it allocates.  Otherwise no query
-// allocates, except touches_by_fcl.  FCL asserts on
-// NaN: callers pass finite configurations (convert has checked them).
+// triangle by triangle (mesh_distance.h).  No query allocates.  Callers pass finite configurations
+// (convert has checked them).
 
 #pragma once
 
@@ -123,10 +121,6 @@ class Collision {
   // touch have distance zero and no more.  looks: taken off for every distance measured; none is
   // when none is left, and everything may be open.
   int nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept;
-
-  // The pair by fcl::collide with its other solver (libccd), no filter: what tests compare with.
-  // Allocates.
-  bool touches_by_fcl(const Kinematics& kinematics, const CollisionPair& pair);
 
   // How far joints can move the geometry.
   const JointReach& reach() const noexcept;

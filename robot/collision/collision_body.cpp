@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "robot/collision/collision_fcl.h"
 #include "geometry/bounds/bounds.h"
 #include "geometry/bounds/convex_hull.h"
 #include "robot/collision/links/geometry_cache.h"
@@ -54,7 +53,6 @@ CollisionShape primitive(const Shape& shape) {
   result.core.kind = shape.kind;
   result.core.half = result.convex.half;
   result.capsule = around(result.convex);
-  result.fcl = fcl_primitive(shape.kind, size);
   return result;
 }
 
@@ -68,7 +66,6 @@ CollisionShape of_mesh(const Shape& shape) {
   result.convex = {ShapeKind::kMesh, 0.5 * box.sizes()};
   result.local = shape.pose * Eigen::Translation3d(middle);
   for (Vector3d& point : mesh.points) point -= middle;
-  result.fcl = hull ? fcl_hull(mesh) : fcl_mesh(mesh);
   const TriangleMesh around_all = hull ? mesh : convex_hull(mesh.points);
   const std::vector<Vector3d>& corners = around_all.points;
   result.core = gjk_hull(corners);

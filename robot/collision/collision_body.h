@@ -15,8 +15,6 @@
 
 namespace twinbus {
 
-struct FclShape;  // collision_fcl.h
-
 struct CollisionShape {  // one shape, of a link or an obstacle
   ConvexShape convex;
   double radius = 0.0;  // of the sphere around it [m]
@@ -28,7 +26,6 @@ struct CollisionShape {  // one shape, of a link or an obstacle
   Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
   std::int64_t stamp = -1;              // query that world belongs to
   std::shared_ptr<ClusteredMesh> mesh;  // in the frame of the convex shape; null for a hull
-  std::shared_ptr<FclShape> fcl;        // what the oracle asks
 };
 
 struct CollisionOwner {  // a link or an obstacle: its shapes and the sphere around them

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "robot/collision/collision_fcl.h"
 #include "geometry/distance/convex_shape.h"
 #include "geometry/distance/gjk.h"
 
@@ -83,20 +82,9 @@ bool ShapeGap::nearer(CollisionShape& a, CollisionShape& b, ShapeMemory& remembe
 
   PairDistance found;
   found.distance = near + 1.0;
-  FclGap gap;
-  const bool answered = asks_fcl && fcl_gap(*a.fcl, a.world, *b.fcl, b.world, gap);
-  const bool mesh = !answered && (a.mesh || b.mesh);
-  if (answered) {
-    if (gap.distance > near) return false;
-    found.distance = gap.distance;
-    found.point_a = gap.point_a;
-    found.point_b = gap.point_b;
-    if (gap.distance > 0.0) found.normal = (gap.point_b - gap.point_a).normalized();
-  } else if (!own_distance(a, b, first, near, found)) {
-    return false;
-  }
+  if (!own_distance(a, b, first, near, found)) return false;
   if (found.distance > kConverged) remembered.apart = a.world.linear().transpose() * found.normal;
-  const bool exact = mesh && !(found.distance > kHullsApart);
+  const bool exact = (a.mesh || b.mesh) && !(found.distance > kHullsApart);
   if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),
                               remembered.nearest, found))
     return false;

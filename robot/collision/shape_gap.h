@@ -22,7 +22,6 @@ struct ShapeMemory {
 class ShapeGap {
  public:
   MeshDistance meshes;       // with room for every mesh that is asked about
-  bool asks_fcl = false;     // for distances
   bool depths = true;        // of what touches
   double close = kGjkClose;  // how near a distance of convex shapes is to be [m]
   double parted = 0.0;       // so far at least are the two apart that were looked at last [m]

@@ -140,7 +140,6 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     (void)read_walking(walking);  // control reads it again
   }
   for (const ConfigNode& node : top.list("loops")) (void)read_loop(node);  // the simulator does too
-  (void)top.choice("collision", {"own", "fcl"}, 0);  // collision.cpp reads it again
   (void)top.list("near_pairs");                      // robot/collision/near_pairs.h reads it
   if (top.has("tools")) (void)top.map("tools");      // robot/hand/tools.h reads it
   if (top.has("mujoco")) (void)top.map("mujoco");    // robot/mjcf/mujoco_config.h reads it

@@ -2,9 +2,8 @@
 """./twinbus chart guard [--out DIR] [--redraw]: what watching for self-collision takes while the robot walks (the paper's Fig. 9).
 
 walk_forward is run and logged; then every state of it is judged by the exact check of all pairs on their meshes, by the same on the
-pairs that can touch within the ranges the joints kept to, and by a tick of the guard (distances, look-ahead), with our distances and
-with FCL's (robot.yaml, collision: fcl).  Written as SVG, PNG and CSV to DIR (default test/charts/guard); --redraw draws from the
-CSV that is there.
+pairs that can touch within the ranges the joints kept to, and by a tick of the guard (distances, look-ahead).  Written as SVG, PNG
+and CSV to DIR (default test/charts/guard); --redraw draws from the CSV that is there.
 """
 
 import pathlib
@@ -16,7 +15,7 @@ import charts
 import chart_walk
 import plot
 
-CURVES = (("fcl_us", "guard tick, collision: fcl"), ("guard_us", "guard tick"), ("all_us", "exact, all pairs"), ("reduced_us", "exact, reduced list"))
+CURVES = (("guard_us", "guard tick"), ("all_us", "exact, all pairs"), ("reduced_us", "exact, reduced list"))
 PERIOD = 0.002  # [s]
 
 
@@ -39,8 +38,7 @@ def draw(rows, folder):
         curves.append((name, [(PERIOD * i, sorted(values[i:i + 20])[len(values[i:i + 20]) // 2]) for i in range(0, len(values), 20)]))
     words = "medians in us: " + ", ".join(words)
     print(words, flush=True)
-    charts.drawn(folder / "guard.svg", plot.write(folder / "guard.svg", plot.lines("Self-collision while walking at 0.55 m/s, hrp1s", words, "time [s]", "time of a tick [us]", curves[1:])))
-    charts.drawn(folder / "fcl.svg", plot.write(folder / "fcl.svg", plot.lines("The same guard with FCL's distances", words, "time [s]", "time of a tick [us]", curves[:2])))
+    charts.drawn(folder / "guard.svg", plot.write(folder / "guard.svg", plot.lines("Self-collision while walking at 0.55 m/s, hrp1s", words, "time [s]", "time of a tick [us]", curves)))
 
 
 if __name__ == "__main__":

@@ -134,7 +134,7 @@ int main(int argc, char** argv) try {
   SelfCollision few(model, geometry, left);
   long hits = 0, hits_few = 0;
   const RateStats cost = timed(all, walk, hits), cost_few = timed(few, walk, hits_few);
-  RateStats placing, guard_tick, fcl_tick;
+  RateStats placing, guard_tick;
   for (const Configuration& c : walk) {
     const std::int64_t begin = monotonic_ns();
     few.place(c.q);
@@ -142,10 +142,8 @@ int main(int argc, char** argv) try {
   }
   std::FILE* out = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
   if (!csv.empty() && out == nullptr) throw std::runtime_error(csv + " cannot be written");
-  if (out != nullptr) std::fprintf(out, "tick,all_us,reduced_us,guard_us,fcl_us\n");
-  Model slow = model;
-  slow.yaml_text += "\ncollision: fcl\n";
-  Guard guard(model, {}), guard_by_fcl(slow, {});
+  if (out != nullptr) std::fprintf(out, "tick,all_us,reduced_us,guard_us\n");
+  Guard guard(model, {});
   RobotState state;
   state.run_id = 1;
   state.joint_count = static_cast<std::int16_t>(model.bus_count());
@@ -156,7 +154,7 @@ int main(int argc, char** argv) try {
       if (state.tick > 1) state.qd[k] = static_cast<float>((q - state.q[k]) / model.period());
       state.q[k] = q;
     }
-    double us[4] = {};
+    double us[3] = {};
     const auto once = [&](int row, auto call) {
       const std::int64_t begin = monotonic_ns();
       call();
@@ -173,10 +171,9 @@ int main(int argc, char** argv) try {
       few.touching();
     });
     guard_tick.add(once(2, [&] { guard.check(state, nullptr, c); }));
-    fcl_tick.add(once(3, [&] { guard_by_fcl.check(state, nullptr, c); }));
     if (out != nullptr)
-      std::fprintf(out, "%lld,%.3f,%.3f,%.3f,%.3f\n", static_cast<long long>(state.tick), us[0],
-                   us[1], us[2], us[3]);
+      std::fprintf(out, "%lld,%.3f,%.3f,%.3f\n", static_cast<long long>(state.tick), us[0],
+                   us[1], us[2]);
   }
   if (out != nullptr) std::fclose(out);
   std::printf(
@@ -188,7 +185,6 @@ int main(int argc, char** argv) try {
   print("exact verdict, reduced list", cost_few);
   print("  of it kinematics", placing);
   print("guard tick: distances and look-ahead", guard_tick);
-  print("  the same with collision: fcl", fcl_tick);
   return hits == 0 && hits_few == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "guard_walk_bench: %s\n", error.what());

@@ -40,6 +40,7 @@
 #include "common/process/options.h"
 #include "robot/collision/exact/self_collision.h"
 #include "test/collision/postures.h"
+#include "test/oracles/fcl_oracle.h"
 
 namespace twinbus {
 namespace {
@@ -141,6 +142,7 @@ class World {
         trace_(trace),
         exact_(model, build_geometry(model)),
         collision_(model),
+        oracle_(model),
         kinematics_(model),
         posture_(model) {
     Scene scene;
@@ -262,6 +264,7 @@ class World {
   void look_with(std::size_t hand, const Obstacle& thing) {
     held_[hand] = thing;
     collision_.set_obstacles(with_held());
+    oracle_.set_obstacles(with_held());
     held_pairs_ = collision_.held_pairs();
     for (const Obstacle& held : held_) {
       if (held.shape == ObstacleShape::kNone) continue;
@@ -335,7 +338,7 @@ class World {
     exact_.place(posture_.q);
     touched_ = touched_ || !(now > 0.0) || exact_.any_touching() ||
                std::any_of(held_pairs_.begin(), held_pairs_.end(), [&](const CollisionPair& pair) {
-                 return collision_.touches_by_fcl(kinematics_, pair);
+                 return oracle_.touches(kinematics_, pair);
                });
     return !fallen();
   }
@@ -458,6 +461,7 @@ class World {
   bool holds_, trace_;
   SelfCollision exact_;
   Collision collision_;
+  FclOracle oracle_;
   Kinematics kinematics_;
   Configuration posture_;
   std::vector<Obstacle> obstacles_;

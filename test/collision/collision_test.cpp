@@ -15,6 +15,7 @@
 #include "test/collision/postures.h"
 #include "common/allocation/no_alloc.h"
 #include "test/obstacles.h"
+#include "test/oracles/fcl_oracle.h"
 
 namespace twinbus {
 namespace {
@@ -58,6 +59,7 @@ TEST(Collision, NamedPosturesTouchNothing) {
 TEST(Collision, EveryVerdictIsThatOfBruteForceFcl) {
   const Model& model = hrp1s();
   Collision collision(model);
+  const FclOracle oracle(model);
   Kinematics kinematics(model);
   std::mt19937_64 random(kSeed);
   const Configuration home = named_posture(model, "half_sitting");
@@ -71,7 +73,7 @@ TEST(Collision, EveryVerdictIsThatOfBruteForceFcl) {
     }
     bool any = false;
     for (const CollisionPair& pair : collision.pairs()) {
-      const bool fcl = collision.touches_by_fcl(kinematics, pair);
+      const bool fcl = oracle.touches(kinematics, pair);
       const auto found = ours.find({pair.link_a, pair.link_b});
       const double distance = found == ours.end() ? 1.0 : found->second;
       if (fcl != (distance <= 0.0) && std::abs(distance) > kBand) {
@@ -88,24 +90,26 @@ TEST(Collision, EveryVerdictIsThatOfBruteForceFcl) {
   EXPECT_GT(touching, 500);
 }
 
-TEST(Collision, FclAsBackendFindsTheSamePairsAtTheSameDistances) {
-  Model slow = hrp1s();
-  slow.yaml_text += "\ncollision: fcl\n";
-  Collision own(hrp1s()), fcl(slow);
-  Kinematics kinematics(slow);
+TEST(Collision, FclFindsTheSamePairsAtTheSameDistances) {
+  const Model& model = hrp1s();
+  Collision own(model);
+  const FclOracle oracle(model);
+  Kinematics kinematics(model);
   std::mt19937_64 random(kSeed + 7);
   int compared = 0;
   for (int i = 0; i < 40; ++i) {
-    kinematics.update(random_posture(slow, named_posture(slow, "half_sitting"), 0.4, random));
+    kinematics.update(random_posture(model, named_posture(model, "half_sitting"), 0.4, random));
     std::map<std::pair<int, int>, double> ours;
     for (const PairDistance& p : all_near(own, kinematics, 0.05))
       ours[{p.link_a, p.link_b}] = p.distance;
-    for (const PairDistance& p : all_near(fcl, kinematics, 0.049)) {
-      const auto found = ours.find({p.link_a, p.link_b});
+    for (const CollisionPair& pair : own.pairs()) {
+      const FclGap gap = oracle.gap(kinematics, pair);
+      if (!(gap.distance <= 0.049)) continue;
+      const auto found = ours.find({pair.link_a, pair.link_b});
       ASSERT_NE(found, ours.end()) << i;
-      if (p.distance > kBand) {
-        EXPECT_NEAR(p.distance, found->second, 1e-4);
-        EXPECT_NEAR((p.point_b - p.point_a).norm(), p.distance, 1e-4);
+      if (gap.distance > kBand) {
+        EXPECT_NEAR(gap.distance, found->second, 1e-4);
+        EXPECT_NEAR((gap.point_b - gap.point_a).norm(), gap.distance, 1e-4);
       } else {
         EXPECT_LT(found->second, 1e-4);
       }

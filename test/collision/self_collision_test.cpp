@@ -10,6 +10,7 @@
 #include "common/math/index.h"
 #include "test/collision/postures.h"
 #include "common/allocation/no_alloc.h"
+#include "test/oracles/fcl_oracle.h"
 
 namespace twinbus {
 namespace {
@@ -57,7 +58,8 @@ struct TwoBoxes {
 TEST(SelfCollision, MissesNothingThatFclFindsAndAddsOnlyWhatTheTrianglesStickOut) {
   const Model& model = hrp1s();
   SelfCollision check(model, shapes());
-  Collision fcl(model);
+  Collision distances(model);
+  const FclOracle oracle(model);
   Kinematics kinematics(model);
   std::mt19937_64 random(kSeed);
   const Configuration home = named_posture(model, "half_sitting");
@@ -68,7 +70,7 @@ TEST(SelfCollision, MissesNothingThatFclFindsAndAddsOnlyWhatTheTrianglesStickOut
     kinematics.update(c);
     for (std::size_t p = 0; p < check.pairs().size(); ++p) {
       const CollisionPair pair = check.pairs()[p];
-      const bool theirs = fcl.touches_by_fcl(kinematics, pair);
+      const bool theirs = oracle.touches(kinematics, pair);
       hits += theirs ? 1 : 0;
       const bool mine = ours.count(static_cast<int>(p)) > 0;
       if (theirs == mine) continue;
@@ -76,7 +78,7 @@ TEST(SelfCollision, MissesNothingThatFclFindsAndAddsOnlyWhatTheTrianglesStickOut
         return shapes().links[at(shapes().of_link[at(link)])].outside;
       };
       PairDistance found;
-      const bool near = fcl.pair_nearer_than(kinematics, pair.link_a, pair.link_b, 0.01, found);
+      const bool near = distances.pair_nearer_than(kinematics, pair.link_a, pair.link_b, 0.01, found);
       ASSERT_TRUE(near);
       if (theirs) {
         EXPECT_NEAR(found.distance, 0.0, 1e-6) << "posture " << i << " pair " << p;

@@ -16,6 +16,7 @@
 #include "robot/description/load.h"
 #include "common/process/options.h"
 #include "sim/scene/scene.h"
+#include "test/oracles/fcl_oracle.h"
 
 using namespace twinbus;
 
@@ -26,6 +27,8 @@ constexpr double kFar = 1.0;  // [m]
 int probe(const Model& model, const std::vector<Obstacle>& obstacles) {
   Collision collision(model);
   collision.set_obstacles(obstacles);
+  FclOracle oracle(model);
+  oracle.set_obstacles(obstacles);
   Kinematics kinematics(model);
   Configuration posture(model);
   std::vector<CollisionPair> pairs = collision.pairs();
@@ -61,7 +64,7 @@ int probe(const Model& model, const std::vector<Obstacle>& obstacles) {
       PairDistance found;
       if (collision.pair_nearer_than(kinematics, pair.link_a, pair.link_b, nearest, found))
         nearest = std::min(nearest, found.distance);
-      touching = touching || collision.touches_by_fcl(kinematics, pair);
+      touching = touching || oracle.touches(kinematics, pair);
     }
     std::printf("%.6f %.6f %d", self, obstacle, touching ? 1 : 0);
     for (const Hand& hand : model.hands) {

@@ -12,6 +12,7 @@
 #include "robot/description/load.h"
 #include "test/collision/postures.h"
 #include "test/obstacles.h"
+#include "test/oracles/fcl_oracle.h"
 
 namespace twinbus {
 
@@ -90,8 +91,9 @@ inline double nearest_to_obstacles(const std::vector<Obstacle>& obstacles, const
 class SecondOpinion {
  public:
   explicit SecondOpinion(const std::vector<Obstacle>& obstacles)
-      : collision_(hrp1s()), kinematics_(hrp1s()), pairs_(collision_.pairs()) {
+      : collision_(hrp1s()), oracle_(hrp1s()), kinematics_(hrp1s()), pairs_(collision_.pairs()) {
     collision_.set_obstacles(obstacles);
+    oracle_.set_obstacles(obstacles);
     for (int link = 0; link < hrp1s().link_count(); ++link) {
       if (hrp1s().links[static_cast<std::size_t>(link)].collision.empty()) continue;
       for (int k = 0; k < static_cast<int>(obstacles.size()); ++k)
@@ -105,7 +107,7 @@ class SecondOpinion {
     for (double t = 0.0; t < plan.duration() + every; t += every) {
       kinematics_.update(posture_at(plan, start, t));
       for (const CollisionPair& pair : pairs_)
-        hits += collision_.touches_by_fcl(kinematics_, pair) ? 1 : 0;
+        hits += oracle_.touches(kinematics_, pair) ? 1 : 0;
     }
     return hits;
   }
@@ -124,6 +126,7 @@ class SecondOpinion {
 
  private:
   Collision collision_;
+  FclOracle oracle_;
   Kinematics kinematics_;
   std::vector<CollisionPair> pairs_;
 };

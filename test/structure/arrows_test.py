@@ -28,7 +28,7 @@ BUS_USERS = ("lcmtypes/", "launcher/")
 # Headers -> files that may include them.
 DOORS = {
     r"ode/": r"sim/engine/ode[a-z_]*\.(cpp|h)",
-    r"fcl/|ccd/": r"robot/collision/collision_fcl\.cpp",
+    r"fcl/|ccd/": r"no file of the product: test/oracles/fcl_oracle\.cpp",
     r"urdf_parser/|urdf_model/|urdf_exception/": r"robot/description/urdf\.cpp",
     r"expat": r"common/text/xml\.cpp",
     r"SDL": r"control/teleop/sdl_pad\.cpp",

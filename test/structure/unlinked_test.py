@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEPT = {
     "tests and benches ask the product with them what the programs ask in other ways": """
         ArmPlanner::path_free ArticulatedWorld::resume BlockCheck::settle_by_pieces BlockCheck::settle_touching BlockScene::add_capsule
-        Collision::in_collision Collision::touches_by_fcl Guard::check Guard::pair_count Guard::pairs Guard::unproved Guard::work
+        Collision::in_collision Guard::check Guard::pair_count Guard::pairs Guard::unproved Guard::work
         InverseKinematics::pose JointReach::between fastest_time""",
     "stall tests and benches play operator and machine with them": """
         OneProcess::restart_controller OneProcess::say OneProcess::stall_controller Source::effective_command""",
