@@ -2,23 +2,17 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
-#include "robot/description/loops.h"
+#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
 namespace {
 
 int link_of(const Model& model, const std::string& name) {
-  if (name == "world") return -1;
-  for (const Frame& frame : model.frames) {
-    if (frame.name == name) return frame.link;
-  }
-  throw std::runtime_error("robot.yaml of " + model.name + ": loops name '" + name +
-                           "', which is no link of the robot and not world");
+  return name == "world" ? -1 : frame_called(model, name, "robot.yaml: loops").link;
 }
 
 }  // namespace

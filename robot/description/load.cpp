@@ -62,9 +62,9 @@ void apply_servos(const RobotYaml& yaml, Model& model) {
 
 // Where a sole or hand is, and what it feels with.
 template <class Limb>
-void place_limb(const LimbEntry& entry, const ModelBuilder& builder, const std::string& where, Limb& limb) {
-  const Frame frame = builder.frame(entry.frame, where);
-  const Frame sensor = builder.frame(entry.sensor, where);
+void place_limb(const LimbEntry& entry, const Model& model, const std::string& where, Limb& limb) {
+  const Frame& frame = frame_called(model, entry.frame, where);
+  const Frame& sensor = frame_called(model, entry.sensor, where);
   if (frame.link != sensor.link)
     throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor + " are on different links");
   limb.link = frame.link;
@@ -72,8 +72,7 @@ void place_limb(const LimbEntry& entry, const ModelBuilder& builder, const std::
   limb.sensor = entry.sensor == entry.frame ? limb.frame : sensor.in_link;
 }
 
-void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::string& file,
-                Model& model) {
+void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   model.period_ns = yaml.timing.period_ns;
   model.command_timeout = yaml.timing.command_timeout;
   model.state_timeout = yaml.timing.state_timeout;
@@ -82,7 +81,7 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
   model.blend_s = yaml.timing.blend_s;
   model.off_action = yaml.timing.off_action;
   if (!yaml.imu_frame.empty()) {
-    const Frame imu = builder.frame(yaml.imu_frame, file + ": imu");
+    const Frame& imu = frame_called(model, yaml.imu_frame, file + ": imu");
     model.imu_link = imu.link;
     model.imu = imu.in_link * yaml.imu_offset;
   }
@@ -90,11 +89,11 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
     const std::string name = side == 0 ? "left" : "right";
     if (const SoleEntry& entry = yaml.soles[side]; entry.present) {
       model.soles[side] = entry.sole;
-      place_limb(entry, builder, file + ": soles: " + name, model.soles[side]);
+      place_limb(entry, model, file + ": soles: " + name, model.soles[side]);
     }
     if (const HandEntry& entry = yaml.hands[side]; entry.present) {
       const std::string where = file + ": hands: " + name;
-      place_limb(entry, builder, where, model.hands[side]);
+      place_limb(entry, model, where, model.hands[side]);
       for (const std::string& joint : entry.joints) {
         model.hands[side].joints.push_back(need_joint(model, joint, where));
       }
@@ -104,10 +103,18 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
     model.leg_joints.push_back(need_joint(model, joint, file + ": leg_joints"));
   }
   apply_servos(yaml, model);
+  for (const Loop& loop : yaml.loops) {
+    for (const std::string& name : {loop.link, loop.to}) {
+      if (name != "world") (void)frame_called(model, name, file + ": loops");
+    }
+  }
+  for (const NearPairEntry& entry : yaml.near_pairs) {
+    for (const std::string& name : entry.links) (void)frame_called(model, name, entry.where);
+  }
+  for (const ToolEntry& tool : yaml.tools) (void)frame_called(model, tool.frame, tool.where);
 }
 
-void apply_srdf(const Srdf& srdf, const ModelBuilder& builder, const std::string& file,
-                Model& model) {
+void apply_srdf(const Srdf& srdf, const std::string& file, Model& model) {
   model.notes.insert(model.notes.end(), srdf.notes.begin(), srdf.notes.end());
   for (const SrdfPose& pose : srdf.poses) {
     NamedPose named;
@@ -138,8 +145,8 @@ void apply_srdf(const Srdf& srdf, const ModelBuilder& builder, const std::string
   }
   for (const SrdfPair& pair : srdf.disabled) {
     const std::string where = file + ":" + std::to_string(pair.line) + ": disable_collisions";
-    const int a = builder.frame(pair.link_a, where).link;
-    const int b = builder.frame(pair.link_b, where).link;
+    const int a = frame_called(model, pair.link_a, where).link;
+    const int b = frame_called(model, pair.link_b, where).link;
     if (a != b) model.disabled_pairs.push_back({std::min(a, b), std::max(a, b)});
   }
 }
@@ -211,14 +218,14 @@ Model load_robot_texts(const RobotTexts& texts) {
   model.folder = folder.string();
   for (const std::string& name : yaml.inertia_from_shape) {
     const std::string where = yaml_file + ": inertia_from_shape";
-    take_inertia_from_shape(model.links[static_cast<std::size_t>(builder.frame(name, where).link)]);
+    take_inertia_from_shape(model.links[static_cast<std::size_t>(frame_called(model, name, where).link)]);
   }
   if (!yaml.srdf.empty()) {
     const std::string srdf_file = (folder / yaml.srdf).string();
     model.srdf_text = texts.srdf;
-    apply_srdf(parse_srdf(model.srdf_text, srdf_file), builder, srdf_file, model);
+    apply_srdf(parse_srdf(model.srdf_text, srdf_file), srdf_file, model);
   }
-  apply_yaml(yaml, builder, yaml_file, model);  // wins over the SRDF
+  apply_yaml(yaml, yaml_file, model);  // wins over the SRDF
   model.hash = model_hash(model);
   return model;
 }

@@ -1,5 +1,7 @@
 #include "robot/description/loops.h"
 
+#include "robot/description/robot_yaml.h"
+
 namespace twinbus {
 
 namespace {
@@ -28,12 +30,6 @@ Loop read_loop(const ConfigNode& node) {
   return loop;
 }
 
-std::vector<Loop> loops_of(const Model& model) {
-  std::vector<Loop> loops;
-  if (model.yaml_text.empty()) return loops;
-  const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
-  for (const ConfigNode& node : top.list("loops")) loops.push_back(read_loop(node));
-  return loops;
-}
+std::vector<Loop> loops_of(const Model& model) { return robot_yaml_of(model).loops; }
 
 }  // namespace twinbus

@@ -107,13 +107,6 @@ void ModelBuilder::build(Model& model, bool for_bus) {
   }
 }
 
-Frame ModelBuilder::frame(const std::string& name, const std::string& where) const {
-  for (const Frame& frame : frames_) {
-    if (frame.name == name) return frame;
-  }
-  throw std::runtime_error(where + ": there is no link " + name + " in the URDF" + suggestion(name, frames_));
-}
-
 int ModelBuilder::urdf_joint(const std::string& name, const std::string& where) const {
   std::vector<std::string> known;
   for (std::size_t i = 0; i < tree_.joints.size(); ++i) {

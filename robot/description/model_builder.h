@@ -27,9 +27,6 @@ class ModelBuilder {
   // (unless for_bus is false).
   void build(Model& model, bool for_bus = true);
 
-  // After build: a link of the URDF in the link it was merged into.  Throws, with the nearest name.
-  Frame frame(const std::string& name, const std::string& where) const;
-
  private:
   int urdf_joint(const std::string& name, const std::string& where) const;
   void grow(Model& model, int urdf_link, int body, const Eigen::Isometry3d& in_body);

@@ -1,11 +1,12 @@
 #include "robot/description/robot_yaml.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "robot/description/loops.h"
 #include "common/math/pose_math.h"
-#include "robot/description/walking_config.h"
+#include "common/text/closest_name.h"
+#include "lcmtypes/msg/guard_defaults.h"
 
 namespace twinbus {
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const char* const kSides[2] = {"left", "right"};
+constexpr double kLeastMargin = 0.001;  // [m]
 
 }  // namespace
 
@@ -60,6 +62,23 @@ HandEntry read_hand(const ConfigNode& node) {
   HandEntry entry;
   read_limb(node, entry);
   entry.joints = node.texts("joints");
+  node.finish();
+  return entry;
+}
+
+NearPairEntry read_near_pair(const ConfigNode& node) {
+  const std::vector<std::string> links = node.texts("links");
+  if (links.size() != 2) node.fail("links", "must name two links");
+  if (links[0] == links[1]) node.fail("links", "names " + links[0] + " twice; name two links");
+  NearPairEntry entry{.links = {links[0], links[1]},
+                      .margin = node.number("margin", kLeastMargin, GuardDefaults::kInController),
+                      .where = node.where("links")};
+  node.finish();
+  return entry;
+}
+
+ToolEntry read_tool(const ConfigNode& node, const std::string& name) {
+  ToolEntry entry{.name = name, .frame = node.text("frame"), .offset = read_offset(node), .where = node.where("frame")};
   node.finish();
   return entry;
 }
@@ -137,16 +156,30 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     const ConfigNode walking = top.map("walking");
     if (walking.has("gait") && top.has("soles"))
       walking.fail("gait", "is of robots on four point feet, and this one has soles: leave it out");
-    (void)read_walking(walking);  // control reads it again
+    yaml.walking = read_walking(walking);
   }
-  for (const ConfigNode& node : top.list("loops")) (void)read_loop(node);  // the simulator does too
-  (void)top.list("near_pairs");                      // robot/collision/near_pairs.h reads it
-  if (top.has("tools")) (void)top.map("tools");      // robot/hand/tools.h reads it
-  if (top.has("mujoco")) (void)top.map("mujoco");    // robot/mjcf/mujoco_config.h reads it
+  for (const ConfigNode& node : top.list("loops")) yaml.loops.push_back(read_loop(node));
+  for (const ConfigNode& node : top.list("near_pairs")) yaml.near_pairs.push_back(read_near_pair(node));
+  if (top.has("tools")) {
+    const ConfigNode tools = top.map("tools");
+    for (const std::string& name : tools.keys()) yaml.tools.push_back(read_tool(tools.map(name), name));
+  }
+  if (top.has("mujoco")) yaml.mujoco = top.map("mujoco");
   yaml.leg_joints = top.texts("leg_joints");
   for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
   top.finish();
   return yaml;
+}
+
+RobotYaml robot_yaml_of(const Model& model) {
+  return model.yaml_text.empty() ? RobotYaml{} : parse_robot_yaml(model.yaml_text, model.folder + "/robot.yaml");
+}
+
+const Frame& frame_called(const Model& model, const std::string& name, const std::string& where) {
+  const auto found = std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& f) { return f.name == name; });
+  if (found == model.frames.end())
+    throw std::runtime_error(where + ": there is no link " + name + " in the URDF" + suggestion(name, model.frames));
+  return *found;
 }
 
 }  // namespace twinbus

@@ -3,12 +3,15 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/text/strict_yaml.h"
+#include "robot/description/loops.h"
 #include "robot/description/model.h"
+#include "robot/description/walking_config.h"
 
 namespace twinbus {
 
@@ -34,6 +37,20 @@ struct HandEntry : LimbEntry {
   std::vector<std::string> joints;
 };
 
+// Links that the robot's own shape keeps near each other: robot/collision/near_pairs.h.
+struct NearPairEntry {
+  std::array<std::string, 2> links;
+  double margin = 0.0;  // [m]
+  std::string where;    // file, line and key
+};
+
+// What a hand carries: robot/hand/tools.h.
+struct ToolEntry {
+  std::string name, frame;
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // in that link
+  std::string where;
+};
+
 struct RobotYaml {
   std::string urdf, srdf;  // file names in the robot's folder; srdf may be empty
   std::vector<std::pair<std::string, std::string>> packages;
@@ -46,13 +63,24 @@ struct RobotYaml {
   std::array<HandEntry, 2> hands;
   std::vector<std::string> leg_joints;
   std::vector<ServoEntry> servos;
+  Walking walking;
+  std::vector<Loop> loops;
+  std::vector<NearPairEntry> near_pairs;
+  std::vector<ToolEntry> tools;
+  std::optional<ConfigNode> mujoco;  // read by robot/mjcf/mujoco_config.h
   Model timing;  // period, timeouts, blend and off action only
 };
 
 // Throws std::runtime_error naming file, line and the nearest valid key.
 RobotYaml parse_robot_yaml(const std::string& text, const std::string& file);
+// Of a loaded robot; of one without that file everything is as it is when nothing is said.
+RobotYaml robot_yaml_of(const Model& model);
 
 // `at` and `rpy` of a node: a place in the link that its `frame` names.
 Eigen::Isometry3d read_offset(const ConfigNode& node);
+
+// The link of the URDF called so, in the link it was merged into.  Throws std::runtime_error that begins with `where`, with the
+// nearest name.
+const Frame& frame_called(const Model& model, const std::string& name, const std::string& where);
 
 }  // namespace twinbus

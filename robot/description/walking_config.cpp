@@ -1,5 +1,7 @@
 #include "robot/description/walking_config.h"
 
+#include "robot/description/robot_yaml.h"
+
 namespace twinbus {
 
 Walking read_walking(const ConfigNode& node) {
@@ -19,10 +21,6 @@ Walking read_walking(const ConfigNode& node) {
   return w;
 }
 
-Walking walking_of(const Model& model) {
-  if (model.yaml_text.empty()) return {};
-  const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
-  return top.has("walking") ? read_walking(top.map("walking")) : Walking{};
-}
+Walking walking_of(const Model& model) { return robot_yaml_of(model).walking; }
 
 }  // namespace twinbus

@@ -4,8 +4,6 @@
 #include <stdexcept>
 
 #include "common/math/pose_math.h"
-#include "common/text/closest_name.h"
-#include "common/text/strict_yaml.h"
 #include "common/text/xml.h"
 #include "robot/description/robot_yaml.h"
 
@@ -24,16 +22,12 @@ Eigen::Isometry3d placed(const double* xyz_rpy) {
 
 // Of a link of the URDF, in the hand that carries it.
 Eigen::Isometry3d link_in_hand(const Model& model, const Hand& hand, const std::string& name, const std::string& who) {
-  const auto frame =
-      std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& f) { return f.name == name; });
-  if (frame == model.frames.end())
-    throw std::runtime_error(who + ": " + model.name + " has no tool and no link '" + name + "'" +
-                             suggestion(name, model.frames));
-  if (frame->link != hand.link) {
+  const Frame& frame = frame_called(model, name, who);
+  if (frame.link != hand.link) {
     throw std::runtime_error(who + ": link " + name + " is not carried by the hand on " +
                              model.links[static_cast<std::size_t>(hand.link)].name + ": a joint is between them");
   }
-  return hand.frame.inverse() * frame->in_link;
+  return hand.frame.inverse() * frame.in_link;
 }
 
 }  // namespace
@@ -50,17 +44,10 @@ Eigen::Isometry3d tool_in_hand(const Model& model, const Hand& hand, const std::
       throw std::runtime_error("tool '" + text + "' is more than 5 m from the hand");
     return placed(values);
   }
-  if (!model.yaml_text.empty()) {
-    const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
-    if (const ConfigNode tools = top.has("tools") ? top.map("tools") : top; top.has("tools") && tools.has(text)) {
-      const ConfigNode tool = tools.map(text);
-      const Eigen::Isometry3d offset = read_offset(tool);
-      const std::string frame = tool.text("frame");
-      tool.finish();
-      return link_in_hand(model, hand, frame, tool.where("frame")) * offset;
-    }
+  for (const ToolEntry& tool : robot_yaml_of(model).tools) {
+    if (tool.name == text) return link_in_hand(model, hand, tool.frame, tool.where) * tool.offset;
   }
-  return link_in_hand(model, hand, text, "tool");
+  return link_in_hand(model, hand, text, "no tool is called so");
 }
 
 }  // namespace twinbus

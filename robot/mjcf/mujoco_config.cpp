@@ -1,8 +1,7 @@
 #include "robot/mjcf/mujoco_config.h"
 
-#include <algorithm>
-
 #include "common/text/formatted.h"
+#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -72,16 +71,11 @@ MujocoConfig read_mujoco_config(const ConfigNode& node) {
 }
 
 MujocoConfig mujoco_config_of(const Model& model) {
-  if (model.yaml_text.empty()) return {};
-  const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
-  if (!top.has("mujoco")) return {};
-  const ConfigNode node = top.map("mujoco");
-  MujocoConfig config = read_mujoco_config(node);
+  const std::optional<ConfigNode> node = robot_yaml_of(model).mujoco;
+  if (!node) return {};
+  MujocoConfig config = read_mujoco_config(*node);
   for (const MujocoContact& contact : config.contacts) {
-    for (const std::string& link : contact.links) {
-      if (std::none_of(model.frames.begin(), model.frames.end(), [&](const Frame& frame) { return frame.name == link; }))
-        node.fail("contacts", "names " + link + ", which is no link of the URDF");
-    }
+    for (const std::string& link : contact.links) (void)frame_called(model, link, node->where("contacts"));
   }
   return config;
 }

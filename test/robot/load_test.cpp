@@ -1,7 +1,6 @@
 #include "robot/description/load.h"
 
 #include "fixtures.h"
-#include "robot/collision/near_pairs.h"
 #include "robot/onboarding/anatomy.h"
 
 namespace twinbus::test {
@@ -264,16 +263,30 @@ TEST(Load, PairsThatAreNearByDesignAreNamedWithAMarginBelowTheGuards) {
   const auto load = [](const std::string& pair) {
     Folder robot;
     robot.yaml += "near_pairs:\n  - {" + pair + "}\n";
-    return error_of([&] { near_pairs_of(robot.load()); });
+    return error_of([&] { robot.load(); });
   };
   EXPECT_EQ(load("links: [a, c], margin: 0.004"), "");
-  EXPECT_NE(load("links: [a, d], margin: 0.004").find("'d' is no link"), std::string::npos);
+  EXPECT_NE(load("links: [a, d], margin: 0.004").find("there is no link d"), std::string::npos);
   EXPECT_EQ(load("links: [a, plate], margin: 0.004"), "") << "a fixed joint makes them one";
   EXPECT_NE(load("links: [a, a], margin: 0.004").find("twice"), std::string::npos);
   EXPECT_NE(load("links: [a], margin: 0.004").find("two links"), std::string::npos);
   for (const char* margin : {"0", "-0.004", "0.011", ".nan", "much"})
     EXPECT_NE(load(std::string("links: [a, c], margin: ") + margin).find("margin"), std::string::npos) << margin;
   EXPECT_NE(load("links: [a, c]").find("margin"), std::string::npos);
+}
+
+// Whoever reads them, what is wrong with them is said when the robot is loaded.
+TEST(Load, LoopsAndToolsAreChecked) {
+  const auto load = [](const std::string& more) {
+    Folder robot;
+    robot.yaml += more;
+    return error_of([&] { robot.load(); });
+  };
+  EXPECT_EQ(load("loops:\n  - {link: c, to: world}\n"), "");
+  EXPECT_NE(load("loops:\n  - {link: c, to: d}\n").find("loops: there is no link d"), std::string::npos);
+  EXPECT_EQ(load("tools:\n  pen: {frame: plate, at: [0, 0, 0.1]}\n"), "");
+  EXPECT_NE(load("tools:\n  pen: {frame: d}\n").find("there is no link d"), std::string::npos);
+  EXPECT_NE(load("tools:\n  pen: {frame: plate, ta: [0, 0, 0.1]}\n").find("ta"), std::string::npos);
 }
 
 }  // namespace

@@ -205,7 +205,7 @@ TEST_F(MujocoWorldTest, HrpStandsAndItsSolesCarryItsWeight) {
 TEST_F(MujocoWorldTest, SolverAndContactsAreThoseOfRobotYaml) {
   Model model = test::block();
   const auto slid = [&](const std::string& yaml, double ground, double speed = 1.0) {
-    model.yaml_text = yaml;
+    model.yaml_text = "urdf: x\n" + yaml;
     WorldConfig config;
     config.ground_friction = ground;
     const auto world = make(model, config);
@@ -220,11 +220,11 @@ TEST_F(MujocoWorldTest, SolverAndContactsAreThoseOfRobotYaml) {
   };
   model.frames = {{model.links[0].name, 0, Eigen::Isometry3d::Identity()}};
   const std::string contact = "  contacts: [{links: [" + model.links[0].name + "], friction: [0.2, 0.005, 0.0001]}]\n";
-  const double usual = slid("urdf: x\n", 0.8);
+  const double usual = slid("", 0.8);
   const double slippery = slid("mujoco:\n" + contact, 0.8);
   EXPECT_GT(slippery, 1.5 * usual);
   EXPECT_LT(slid("mujoco:\n" + contact, 3.2), 0.8 * slippery);  // on a ground that holds better
-  EXPECT_NEAR(slid("mujoco:\n  iterations: 1\n  ls_iterations: 5\n" + contact, 0.8, 0.0), slid("urdf: x\n", 0.8, 0.0), 2e-3);
+  EXPECT_NEAR(slid("mujoco:\n  iterations: 1\n  ls_iterations: 5\n" + contact, 0.8, 0.0), slid("", 0.8, 0.0), 2e-3);
   EXPECT_NE(test::error_of([&] { (void)slid("mujoco:\n  contacts: [{links: [nose]}]\n", 0.8); }).find("nose"), std::string::npos);
   EXPECT_NE(test::error_of([&] { (void)slid("mujoco:\n  iteration: 1\n", 0.8); }).find("iterations"), std::string::npos);
 }

@@ -14,10 +14,7 @@ std::vector<WebRoot> robot_roots(const Model& model) {
   const auto add = [&](const std::string& package, const fs::path& folder) {
     roots.push_back({"/robot/package/" + package + "/", folder.string()});
   };
-  if (!model.yaml_text.empty()) {
-    for (const auto& [name, folder] : parse_robot_yaml(model.yaml_text, model.folder + "/robot.yaml").packages)
-      add(name, own / folder);
-  }
+  for (const auto& [name, folder] : robot_yaml_of(model).packages) add(name, own / folder);
   add(own.filename().string(), own);  // where none of its name is named, which comes first
   return roots;
 }

@@ -60,7 +60,7 @@ Json limb_json(const char* kind, const char* side, const std::string& frame, con
 Json limb_list(const Model& model) {
   Json list = Json::array();
   if (model.yaml_text.empty()) return list;
-  const RobotYaml yaml = parse_robot_yaml(model.yaml_text, model.folder + "/robot.yaml");
+  const RobotYaml yaml = robot_yaml_of(model);
   constexpr std::array<const char*, 2> kSides = {"left", "right"};
   for (std::size_t side = 0; side < 2; ++side) {
     const SoleEntry& entry = yaml.soles[side];
