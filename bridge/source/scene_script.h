@@ -17,7 +17,7 @@ namespace twinbus {
 // or a pad does: silence ends it.
 template <class T>
 struct Scripted {
-  double at = 0.0, duration = 0.0;  // [s] of active time
+  double at = 0.0, duration = 0.0;  // [s] of scene time: since the source became active
   T request;
 };
 

@@ -124,8 +124,8 @@ Scene walk_scene(const Model& model, double speed, double seconds) {
   TimedWalk walk;
   walk.at = kStart;
   walk.duration = seconds;
-  walk.command.vx = static_cast<float>(speed);
-  walk.command.timeout = 0.1F;
+  walk.request.vx = static_cast<float>(speed);
+  walk.request.timeout = 0.1F;
   scene.walks.push_back(walk);
   scene.criteria.max_tilt_deg = kTiltMost;
   scene.criteria.velocity_error_percent = kVelocityMost;

@@ -32,8 +32,8 @@ WalkFigures::WalkFigures(const Model& model, const Scene& scene)
     Stretch stretch;
     stretch.from = walk.at + kLeadIn;
     stretch.until = walk.at + walk.duration - kLeadOut;
-    stretch.asked = {static_cast<double>(walk.command.vx), static_cast<double>(walk.command.vy),
-                     static_cast<double>(walk.command.wz)};
+    stretch.asked = {static_cast<double>(walk.request.vx), static_cast<double>(walk.request.vy),
+                     static_cast<double>(walk.request.wz)};
     stretches_.push_back(stretch);
   }
 }

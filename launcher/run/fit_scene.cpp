@@ -36,8 +36,8 @@ bool walks(const Scene& scene) {
 }
 
 bool turns(const Scene& scene) {
-  return std::any_of(scene.walks.begin(), scene.walks.end(), [](const TimedWalk& walk) { return walk.command.wz != 0.0F; }) ||
-         std::any_of(scene.pads.begin(), scene.pads.end(), [](const auto& timed) { return timed.pad.right_x != 0.0F; });
+  return std::any_of(scene.walks.begin(), scene.walks.end(), [](const TimedWalk& walk) { return walk.request.wz != 0.0F; }) ||
+         std::any_of(scene.pads.begin(), scene.pads.end(), [](const auto& timed) { return timed.request.right_x != 0.0F; });
 }
 
 Eigen::Vector3d fastest_of(const Model& model) {
@@ -48,7 +48,8 @@ Eigen::Vector3d fastest_of(const Model& model) {
 double way_of(const std::vector<TimedPad>& pads, const Eigen::Vector3d& most) {
   double way = 0.0;
   for (const TimedPad& timed : pads) {
-    const double x = static_cast<double>(timed.pad.left_y) * most.x(), y = static_cast<double>(timed.pad.left_x) * most.y();
+    const double x = static_cast<double>(timed.request.left_y) * most.x();
+    const double y = static_cast<double>(timed.request.left_x) * most.y();
     way += timed.duration * std::hypot(x, y);
   }
   return way;
@@ -64,12 +65,12 @@ void ask_what_it_can(Scene& scene, const Model& model) {
   const Gait gait = points ? Gait{} : gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
   const std::optional<StepGait> steps = points ? std::optional(step_gait_of(model)) : std::nullopt;
   for (TimedWalk& walk : scene.walks) {
-    const Eigen::Vector3d asked = Eigen::Vector3f(walk.command.vx, walk.command.vy, walk.command.wz).cast<double>();
+    const Eigen::Vector3d asked = Eigen::Vector3f(walk.request.vx, walk.request.vy, walk.request.wz).cast<double>();
     const Eigen::Vector3d possible = points ? steps->possible(asked) : gait.possible(asked);
     if (!((possible - asked).cwiseAbs().maxCoeff() > kSaid)) continue;
-    walk.command.vx = static_cast<float>(possible.x());
-    walk.command.vy = static_cast<float>(possible.y());
-    walk.command.wz = static_cast<float>(possible.z());
+    walk.request.vx = static_cast<float>(possible.x());
+    walk.request.vy = static_cast<float>(possible.y());
+    walk.request.wz = static_cast<float>(possible.z());
     scene.scaled += formatted("%sof %.2f %.2f %.2f (m/s, m/s, rad/s) its legs%s can %.2f %.2f %.2f",
                               scene.scaled.empty() ? "" : "; ", asked.x(), asked.y(), asked.z(), points ? "" : " and soles",
                               possible.x(), possible.y(), possible.z());
@@ -105,7 +106,7 @@ std::string why_not_for(const Scene& scene, const Model& model) {
     if (const std::string reason = why_not(scene, model); !reason.empty()) return reason;
   }
   for (const TimedGoal& timed : scene.goals) {
-    const bool left = timed.goal.side == ArmSide::kLeft;
+    const bool left = timed.request.side == ArmSide::kLeft;
     if (model.hands[left ? 0 : 1].link < 0)
       return std::string("it reaches with the ") + (left ? "left" : "right") +
              " hand, and robot.yaml names none (hands)";

@@ -66,7 +66,7 @@ void give_time(Scene& scene, const Model& model, const Hand& hand) {
   double later = 1.0;
   for (std::size_t i = 0; i < scene.goals.size(); ++i) {
     const double until = i + 1 < scene.goals.size() ? scene.goals[i + 1].at : scene.duration;
-    const double needed = kSpare + longest / static_cast<double>(scene.goals[i].goal.speed);
+    const double needed = kSpare + longest / static_cast<double>(scene.goals[i].request.speed);
     if (until > scene.goals[i].at) later = std::max(later, needed / (until - scene.goals[i].at));
   }
   if (!(later > 1.0) || !(later < kLatest)) return;
@@ -154,7 +154,7 @@ class ArmPlaces {
  private:
   bool points() const {
     return std::any_of(scene_.goals.begin(), scene_.goals.end(),
-                       [](const TimedGoal& timed) { return timed.of_reach && timed.goal.kind == ArmGoalKind::kPose; });
+                       [](const TimedGoal& timed) { return timed.of_reach && timed.request.kind == ArmGoalKind::kPose; });
   }
   int asked() const {
     if (model_.floating_base) return 0;  // a body leans, and so it reaches farther than its arm
@@ -231,7 +231,7 @@ class ArmPlaces {
     blocked_ = false;
     orientation_.clear();
     for (const TimedGoal& timed : scene_.goals)
-      orientation_.push_back(as_frame(about_z(p.turn) * matrix(timed.goal.orientation)));
+      orientation_.push_back(as_frame(about_z(p.turn) * matrix(timed.request.orientation)));
     if (!begins_clear(p)) {
       why_ = "begins in what the scene puts around it";
       return -1;
@@ -275,7 +275,7 @@ class ArmPlaces {
 
   // How the hand is to look, before it is turned about where it points.
   Eigen::Matrix3d turned(const Placement& p, const TimedGoal& timed) {
-    const Eigen::Matrix3d as_asked = about_z(p.turn) * matrix(timed.goal.orientation);
+    const Eigen::Matrix3d as_asked = about_z(p.turn) * matrix(timed.request.orientation);
     if (p.tilt == 0.0) return as_asked;
     const Eigen::Vector3d out = reach(p, timed.reach);
     const double azimuth = std::atan2(out.y(), out.x());
@@ -287,7 +287,7 @@ class ArmPlaces {
 
   bool can(const Placement& p, std::size_t goal) {
     const TimedGoal& timed = scene_.goals[goal];
-    const bool pose = timed.goal.kind == ArmGoalKind::kPose;
+    const bool pose = timed.request.kind == ArmGoalKind::kPose;
     Eigen::Isometry3d target = Eigen::Isometry3d::Identity();
     target.translation() = ground_ + arm_.shoulder + arm_.length * reach(p, timed.reach);
     if (pose) target.linear() = turned(p, timed);
@@ -483,7 +483,7 @@ void measure_by_arm(Scene& scene, const Model& model) {
     TimedGoal& timed = scene.goals[i];
     if (!timed.of_reach) continue;
     timed.reach = places.reach(p, timed.reach);
-    if (timed.goal.kind == ArmGoalKind::kPose) timed.goal.orientation = places.orientation(i);
+    if (timed.request.kind == ArmGoalKind::kPose) timed.request.orientation = places.orientation(i);
   }
   give_time(scene, model, hand);
   scene.in_arm_lengths = false;

@@ -143,22 +143,22 @@ TimedMode read_mode(const ConfigNode& node) {
 TimedGoal read_goal(const ConfigNode& node) {
   TimedGoal timed;
   timed.at = node.number("at", 0.0, kDay);
-  timed.goal.side = static_cast<ArmSide>(node.choice("hand", {"left", "right"}, -1) + 1);
-  if (timed.goal.side == ArmSide::kNone) node.fail("hand", "is missing: left or right");
-  timed.goal.speed = static_cast<float>(node.number("speed", 0.01, 1.0, 1.0));
+  timed.request.side = static_cast<ArmSide>(node.choice("hand", {"left", "right"}, -1) + 1);
+  if (timed.request.side == ArmSide::kNone) node.fail("hand", "is missing: left or right");
+  timed.request.speed = static_cast<float>(node.number("speed", 0.01, 1.0, 1.0));
   timed.pose = node.text("pose", "");
   if (node.flag("cancel", false)) {
-    timed.goal.kind = ArmGoalKind::kCancel;
+    timed.request.kind = ArmGoalKind::kCancel;
   } else if (!timed.pose.empty()) {
-    timed.goal.kind = ArmGoalKind::kJoints;
+    timed.request.kind = ArmGoalKind::kJoints;
   } else {
     timed.of_reach = node.has("reach");
     if (timed.of_reach) timed.reach = bounded(node, "reach", 1.0, nullptr);
     const Eigen::Vector3d position = bounded(node, "position", 10.0, timed.of_reach ? &kNone : nullptr);
-    timed.goal.kind = node.has("rpy_deg") ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
+    timed.request.kind = node.has("rpy_deg") ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
     const Eigen::Quaterniond q = rpy(node);
-    for (int i = 0; i < 3; ++i) timed.goal.position[static_cast<std::size_t>(i)] = position[i];
-    timed.goal.orientation = {q.w(), q.x(), q.y(), q.z()};
+    for (int i = 0; i < 3; ++i) timed.request.position[static_cast<std::size_t>(i)] = position[i];
+    timed.request.orientation = {q.w(), q.x(), q.y(), q.z()};
   }
   node.finish();
   return timed;
@@ -168,10 +168,10 @@ TimedWalk read_walk(const ConfigNode& node) {
   TimedWalk timed;
   timed.at = node.number("at", 0.0, kDay);
   timed.duration = node.number("for", 0.0, kDay);
-  timed.command.vx = static_cast<float>(node.number("vx", -2.0, 2.0, 0.0));
-  timed.command.vy = static_cast<float>(node.number("vy", -1.0, 1.0, 0.0));
-  timed.command.wz = static_cast<float>(node.number("wz", -2.0, 2.0, 0.0));
-  timed.command.timeout = 0.1F;
+  timed.request.vx = static_cast<float>(node.number("vx", -2.0, 2.0, 0.0));
+  timed.request.vy = static_cast<float>(node.number("vy", -1.0, 1.0, 0.0));
+  timed.request.wz = static_cast<float>(node.number("wz", -2.0, 2.0, 0.0));
+  timed.request.timeout = 0.1F;
   node.finish();
   return timed;
 }
@@ -180,10 +180,10 @@ TimedPad read_pad(const ConfigNode& node) {
   TimedPad timed;
   timed.at = node.number("at", 0.0, kDay);
   timed.duration = node.number("for", 0.0, kDay);
-  timed.pad.connected = timed.pad.deadman = true;
-  timed.pad.left_x = static_cast<float>(node.number("left_x", -1.0, 1.0, 0.0));
-  timed.pad.left_y = static_cast<float>(node.number("left_y", -1.0, 1.0, 0.0));
-  timed.pad.right_x = static_cast<float>(node.number("right_x", -1.0, 1.0, 0.0));
+  timed.request.connected = timed.request.deadman = true;
+  timed.request.left_x = static_cast<float>(node.number("left_x", -1.0, 1.0, 0.0));
+  timed.request.left_y = static_cast<float>(node.number("left_y", -1.0, 1.0, 0.0));
+  timed.request.right_x = static_cast<float>(node.number("right_x", -1.0, 1.0, 0.0));
   node.finish();
   return timed;
 }
@@ -191,7 +191,7 @@ TimedPad read_pad(const ConfigNode& node) {
 TimedSteps read_timed_steps(const ConfigNode& node) {
   TimedSteps timed;
   timed.at = node.number("at", 0.0, kDay);
-  timed.list = read_steps(node);
+  timed.request = read_steps(node);
   node.finish();
   return timed;
 }
@@ -477,12 +477,12 @@ void resolve_poses(Scene& scene, const Model& model) {
   for (TimedGoal& timed : scene.goals) {
     if (timed.pose.empty()) continue;
     const std::vector<double> q = pose_on_bus(scene, model, timed.pose);
-    const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
-    std::copy(q.begin(), q.end(), timed.goal.q.begin());
+    const Hand& hand = model.hands[timed.request.side == ArmSide::kLeft ? 0 : 1];
+    std::copy(q.begin(), q.end(), timed.request.q.begin());
     for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
       if (std::find(hand.joints.begin(), hand.joints.end(), model.bus_joints[k]) !=
           hand.joints.end()) {
-        timed.goal.joint_mask |= std::int64_t{1} << k;
+        timed.request.joint_mask |= std::int64_t{1} << k;
       }
     }
   }

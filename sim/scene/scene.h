@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bridge/source/scene_script.h"
 #include "robot/collision/collision.h"
 #include "robot/description/loops.h"
 #include "robot/description/model.h"
@@ -26,36 +27,20 @@ struct Push {  // constant force on a link for a while
   double duration = 0.1;                              // [s]
 };
 
-struct TimedMode {
-  double at = 0.0;  // [s] of scene time; takes effect at tick at / period
-  ModeRequest request;
+struct TimedMode : Scripted<ModeRequest> {
   std::string pose;  // named pose of the robot that request.q is to take; see resolve_poses
 };
 
-struct TimedGoal {
-  double at = 0.0;  // [s]
-  ArmGoal goal;
+struct TimedGoal : Scripted<ArmGoal> {
   std::string pose;
   // Of a goal for any arm: from the shoulder, in shares of the stretched arm; resolve_poses makes the position of it.
   bool of_reach = false;
   Eigen::Vector3d reach = Eigen::Vector3d::Zero();
 };
 
-// Said again and again from `at` on: a velocity to walk at, or a gamepad that is held.
-struct TimedWalk {
-  double at = 0.0, duration = 1.0;  // [s]
-  WalkCommand command;
-};
-struct TimedPad {
-  double at = 0.0, duration = 1.0;  // [s]
-  Gamepad pad;
-};
-
-// A list of footsteps, obeyed in mode walk while the robot stands.
-struct TimedSteps {
-  double at = 0.0;  // [s]
-  StepList list;
-};
+using TimedWalk = Scripted<WalkCommand>;  // said again and again while it lasts
+using TimedPad = Scripted<Gamepad>;       // held so
+using TimedSteps = Scripted<StepList>;    // obeyed in mode walk while the robot stands
 
 // A motion file that is played; resolve_poses makes the pieces of it.
 struct TimedMotion {

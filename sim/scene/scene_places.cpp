@@ -107,14 +107,14 @@ void name_places(Scene& scene, const Model& model) {
   for (JointEnd& end : scene.criteria.joints) joint(end.name);
   for (auto& [name, speed] : scene.start_velocity) joint(name);
   for (TimedGoal& timed : scene.goals) {
-    const std::size_t side = timed.goal.side == ArmSide::kLeft ? 0 : 1;
+    const std::size_t side = timed.request.side == ArmSide::kLeft ? 0 : 1;
     if (model.hands[side].link < 0 && model.hands[1 - side].link >= 0)
-      timed.goal.side = side == 0 ? ArmSide::kRight : ArmSide::kLeft;
-    const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
+      timed.request.side = side == 0 ? ArmSide::kRight : ArmSide::kLeft;
+    const Hand& hand = model.hands[timed.request.side == ArmSide::kLeft ? 0 : 1];
     if (!timed.of_reach || hand.link < 0 || hand.joints.empty()) continue;
     const ArmSpan arm = arm_in_scene(scene, model, hand);
     const Eigen::Vector3d position = arm.shoulder + arm.length * timed.reach;
-    for (int i = 0; i < 3; ++i) timed.goal.position[at(i)] = position[i];
+    for (int i = 0; i < 3; ++i) timed.request.position[at(i)] = position[i];
   }
   if (model.floating_base) return;
   for (TimedMode& timed : scene.modes) {

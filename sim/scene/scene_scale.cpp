@@ -81,10 +81,10 @@ double half_stance(const Model& model) {
 void scale_steps(Scene& scene, const Model& model, double length) {
   const double least = model.soles[0].right + model.soles[1].left + kBetweenSoles;
   for (TimedSteps& timed : scene.steps) {
-    for (int k = 0; k < timed.list.count; ++k) {
-      timed.list.x[at(k)] *= static_cast<float>(length);
-      const auto y = static_cast<double>(timed.list.y[at(k)]);
-      timed.list.y[at(k)] = static_cast<float>(std::copysign(std::max(std::abs(y) * length, least), y));
+    for (int k = 0; k < timed.request.count; ++k) {
+      timed.request.x[at(k)] *= static_cast<float>(length);
+      const auto y = static_cast<double>(timed.request.y[at(k)]);
+      timed.request.y[at(k)] = static_cast<float>(std::copysign(std::max(std::abs(y) * length, least), y));
     }
   }
 }
@@ -113,7 +113,7 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   const double length = std::min(1.0, l / l0);
   double speed = std::sqrt(length);
   double most = 0.0;
-  for (const TimedWalk& walk : scene.walks) most = std::max(most, std::abs(static_cast<double>(walk.command.vx)));
+  for (const TimedWalk& walk : scene.walks) most = std::max(most, std::abs(static_cast<double>(walk.request.vx)));
   const double fastest = walking_of(model).fastest;
   if (fastest > 0.0 && most > 0.0) speed = std::min(speed, kOfFastest * fastest / most);
   const double mass = std::min(1.0, model.total_mass() / own.total_mass());
@@ -125,9 +125,9 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   }
   const double aside = stands_on_points(model) ? speed : speed * std::min(1.0, sole_width(model) / sole_width(own));
   for (TimedWalk& walk : scene.walks) {
-    walk.command.vx *= static_cast<float>(speed);
-    walk.command.vy *= static_cast<float>(aside);
-    walk.command.wz *= static_cast<float>(aside);
+    walk.request.vx *= static_cast<float>(speed);
+    walk.request.vy *= static_cast<float>(aside);
+    walk.request.wz *= static_cast<float>(aside);
   }
   scale_steps(scene, model, length);
   scene.criteria.travel_min_m *= scene.steps.empty() ? speed : length;

@@ -27,10 +27,10 @@ TEST(Curves, APadThatTurnsAsFastAsItCanIsNeverStoppedByTheGuard) {
       TimedPad pad = held;
       pad.at = at;
       pad.duration = draw(1.0, 4.0);
-      pad.pad.left_y = static_cast<float>(draw(-0.2, 0.8));
-      pad.pad.left_x = draw(0.0, 1.0) < 0.5 ? 0.0F : static_cast<float>(draw(-0.4, 0.4));
-      pad.pad.right_x = draw(0.0, 1.0) < 0.4 ? 0.0F : static_cast<float>(draw(-1.0, 1.0));
-      turned += pad.pad.right_x != 0.0F ? 1 : 0;
+      pad.request.left_y = static_cast<float>(draw(-0.2, 0.8));
+      pad.request.left_x = draw(0.0, 1.0) < 0.5 ? 0.0F : static_cast<float>(draw(-0.4, 0.4));
+      pad.request.right_x = draw(0.0, 1.0) < 0.4 ? 0.0F : static_cast<float>(draw(-1.0, 1.0));
+      turned += pad.request.right_x != 0.0F ? 1 : 0;
       scene.pads.push_back(pad);
     }
     const Model model = load_robot("hrp1s");

@@ -84,7 +84,7 @@ TEST(JudgeScene, GoalsThatAreNotReachedAreCounted) {
   scene.goals.resize(2);
   scene.goals[1].at = 4.0;
   for (const double away : {0.0, 3.0}) {
-    scene.goals[1].goal.position[0] += away;
+    scene.goals[1].request.position[0] += away;
     OneProcess process(model, scene, {});
     const auto ticks = static_cast<std::int64_t>(scene.duration / model.period());
     while (process.ticks() < ticks && process.tick()) {
@@ -105,14 +105,14 @@ TEST(SceneFit, VelocitiesAreThoseThatTheRobotCan) {
   Model model = load_robot("hrp1s");
   Scene own = load_scene("walk_pivot"), other = own, pads = load_scene("walk_pad");
   fit_scene(own, model);
-  EXPECT_EQ(own.walks[0].command.wz, 0.85F);
+  EXPECT_EQ(own.walks[0].request.wz, 0.85F);
   const std::string key = "fastest: 0.85";
   ASSERT_NE(model.yaml_text.find(key), std::string::npos);
   model.yaml_text.replace(model.yaml_text.find(key), key.size(), "fastest: 0.3");
   ++model.hash;  // another robot
   for (Sole& sole : model.soles) sole.left = sole.right = 0.035;
   fit_scene(other, model);
-  EXPECT_LT(other.walks[0].command.wz, 0.6F);
+  EXPECT_LT(other.walks[0].request.wz, 0.6F);
   const double travel = pads.criteria.travel_min_m;
   fit_scene(pads, model);
   EXPECT_LT(pads.criteria.travel_min_m, 0.8 * travel);

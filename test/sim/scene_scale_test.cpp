@@ -30,7 +30,7 @@ TEST(SceneScale, SpeedsLengthsAndImpulsesFitTheRobot) {
   ASSERT_NEAR(leg_length_of(small), 0.5 * leg_length_of(own), 1e-6);
   Scene walk = load_scene("walk_forward"), push = load_scene("push_forward"), steps = load_scene("walk_steps");
   scale_between(walk, own, small);
-  EXPECT_LE(walk.walks[0].command.vx, 0.55 * std::sqrt(0.5) + 1e-6);
+  EXPECT_LE(walk.walks[0].request.vx, 0.55 * std::sqrt(0.5) + 1e-6);
   EXPECT_LT(walk.criteria.travel_min_m, 5.0);
   EXPECT_NE(walk.scaled.find("leg"), std::string::npos);
   scale_between(push, own, small);
@@ -44,7 +44,7 @@ TEST(SceneScale, SpeedsLengthsAndImpulsesFitTheRobot) {
   EXPECT_LT(left.pushes[0].impulse.y(), 0.8 * 45.0) << "its outer edges are nearer";
   EXPECT_EQ(forward.pushes[0].impulse.x(), 45.0);
   scale_between(steps, own, small);
-  EXPECT_NEAR(steps.steps[0].list.x[0], 0.075, 1e-6);
+  EXPECT_NEAR(steps.steps[0].request.x[0], 0.075, 1e-6);
 }
 
 TEST(SceneScale, WhatAHandGripsFromTheStartLiesInThisRobotsHand) {
@@ -65,10 +65,10 @@ TEST(SceneScale, NothingGrowsAndOwnScenesStay) {
   const Model own = load_robot("hrp1s");
   Scene walk = load_scene("walk_forward");
   scale_between(walk, half_as_long(own), own);  // written for a smaller one
-  EXPECT_EQ(walk.walks[0].command.vx, 0.55F);
+  EXPECT_EQ(walk.walks[0].request.vx, 0.55F);
   Scene same = load_scene("walk_forward");
   scale_to(same, own);
-  EXPECT_EQ(same.walks[0].command.vx, 0.55F);
+  EXPECT_EQ(same.walks[0].request.vx, 0.55F);
   EXPECT_TRUE(same.scaled.empty());
 }
 
@@ -115,9 +115,9 @@ Scene with_goals(std::initializer_list<Eigen::Vector3d> places) {
   scene.in_arm_lengths = true;
   for (const Eigen::Vector3d& place : places) {
     TimedGoal& timed = scene.goals.emplace_back();
-    timed.goal.kind = ArmGoalKind::kPosition;
-    timed.goal.side = ArmSide::kRight;
-    timed.goal.speed = 0.5F;
+    timed.request.kind = ArmGoalKind::kPosition;
+    timed.request.side = ArmSide::kRight;
+    timed.request.speed = 0.5F;
     timed.of_reach = true;
     timed.reach = place;
   }
@@ -149,8 +149,8 @@ TEST(ArmPlaces, PlacesBehindAnArmThatCannotTurnThereAreTurned) {
 
 TEST(ArmPlaces, AHandPointsAsItsJointsAllow) {
   Scene down = with_goals({{0.5, 0.2, 0.0}});
-  down.goals[0].goal.kind = ArmGoalKind::kPose;
-  down.goals[0].goal.orientation = {0.0, 1.0, 0.0, 0.0};
+  down.goals[0].request.kind = ArmGoalKind::kPose;
+  down.goals[0].request.orientation = {0.0, 1.0, 0.0, 0.0};
   Scene stiff = down;
   Model arm = arm_on_column(3.0, 100.0);
   measure_by_arm(down, arm);
@@ -159,7 +159,7 @@ TEST(ArmPlaces, AHandPointsAsItsJointsAllow) {
   arm.joints[4].upper = 0.02;
   measure_by_arm(stiff, arm);
   EXPECT_NE(stiff.scaled.find("turned about where it points"), std::string::npos) << stiff.scaled;
-  const auto& [w, x, y, z] = stiff.goals[0].goal.orientation;
+  const auto& [w, x, y, z] = stiff.goals[0].request.orientation;
   const Eigen::Vector3d along = Eigen::Quaterniond(w, x, y, z) * Eigen::Vector3d::UnitX();
   EXPECT_LT(along.z(), -0.999) << along.transpose();
 }
@@ -179,7 +179,7 @@ TEST(ArmPlaces, AWayBackThatIsTooHeavyIsNone) {
   Scene scene = with_goals({{0.15, 0.0, 0.85}});
   scene.start_pose = "up";
   TimedGoal& back = scene.goals.emplace_back(scene.goals[0]);
-  back.goal.kind = ArmGoalKind::kJoints;
+  back.request.kind = ArmGoalKind::kJoints;
   back.of_reach = false;
   back.pose = "up";
   EXPECT_EQ(refusal(scene, arm), "");
@@ -190,8 +190,8 @@ TEST(ArmPlaces, AWayBackThatIsTooHeavyIsNone) {
 TEST(ArmPlaces, WhatAHandHoldsIsPartOfIt) {
   Scene scene = with_goals({{0.4, 0.3, 0.2}, {0.4, -0.3, 0.2}});
   for (TimedGoal& timed : scene.goals) {
-    timed.goal.kind = ArmGoalKind::kPose;
-    timed.goal.orientation = {0.0, 1.0, 0.0, 0.0};
+    timed.request.kind = ArmGoalKind::kPose;
+    timed.request.orientation = {0.0, 1.0, 0.0, 0.0};
   }
   scene.goals[0].at = 1.0;
   scene.goals[1].at = 5.0;

@@ -71,8 +71,8 @@ TEST(Scene, ReadsWhatItSays) {
   EXPECT_NEAR(scene.obstacles[0].pose.linear()(0, 2), 1.0, 1e-12);
   EXPECT_DOUBLE_EQ(scene.pushes.at(0).duration, 0.1);
   EXPECT_EQ(scene.modes.at(0).request.motion, Motion::kSway);
-  EXPECT_EQ(scene.goals.at(0).goal.kind, ArmGoalKind::kPosition);
-  EXPECT_EQ(scene.goals.at(0).goal.side, ArmSide::kRight);
+  EXPECT_EQ(scene.goals.at(0).request.kind, ArmGoalKind::kPosition);
+  EXPECT_EQ(scene.goals.at(0).request.side, ArmSide::kRight);
   EXPECT_DOUBLE_EQ(scene.criteria.max_tilt_deg, 5.0);
   EXPECT_TRUE(std::isnan(scene.criteria.slip_max_mm));
   ASSERT_EQ(scene.settings.size(), 1U);
@@ -202,7 +202,7 @@ TEST(Scene, APoseIsTakenFromTheRobot) {
   resolve_poses(scene, model);
   EXPECT_EQ(scene.modes[0].request.joint_mask, (std::int64_t{1} << 29) - 1);
   EXPECT_GT(std::abs(scene.modes[0].request.q[3]), 0.5);  // a knee
-  EXPECT_EQ(__builtin_popcountll(static_cast<unsigned long long>(scene.goals[0].goal.joint_mask)),
+  EXPECT_EQ(__builtin_popcountll(static_cast<unsigned long long>(scene.goals[0].request.joint_mask)),
             7);
   Scene wrong = from_text("modes:\n  - {at: 1, mode: pose, pose: handstand}\n");
   EXPECT_THROW(resolve_poses(wrong, model), std::runtime_error);
@@ -286,14 +286,14 @@ TEST(Scene, WhatStandsAroundAnArmIsTurnedWhereItBeginsClear) {
     resolve_poses(scene, arm);
     resolve_poses(scene, arm);
     const Eigen::Vector3d thing = (scene.obstacles[0].pose.translation() - shoulder) / 0.3;
-    const auto& [x, y, z] = scene.goals[0].goal.position;
+    const auto& [x, y, z] = scene.goals[0].request.position;
     const Eigen::Vector3d goal = (Eigen::Vector3d(x, y, z) - shoulder) / 0.3;
     EXPECT_NEAR(thing.norm(), std::hypot(0.5, beside), 1e-6);
     EXPECT_NEAR((goal - thing).norm(), std::hypot(0.2 - beside, 0.1), 1e-6);
     const double turned = std::abs(std::atan2(thing.y(), thing.x()) - std::atan2(beside, 0.5));
     if (beside > 0.0) EXPECT_NEAR(turned, 0.0, 1e-9);
     else EXPECT_NEAR(turned, M_PI / 6.0, 1e-9);  // 0.129 of the arm to the side is not enough, 0.25 is
-    const auto& [w, i, j, k] = scene.goals[0].goal.orientation;
+    const auto& [w, i, j, k] = scene.goals[0].request.orientation;
     const Eigen::Vector3d points = Eigen::Quaterniond(w, i, j, k) * -Eigen::Vector3d::UnitX();  // from the joint to the hand
     EXPECT_NEAR(points.z(), -1.0, 1e-6);
   }
@@ -322,8 +322,8 @@ TEST(Scene, ARobotWithOneHandUsesItForEitherAndAFixedOneHolds) {
       "modes:\n  - {at: 0, mode: balance}\n"
       "goals:\n  - {at: 1, hand: left, pose: half_sitting}\n");
   resolve_poses(scene, model);
-  EXPECT_EQ(scene.goals[0].goal.side, ArmSide::kRight);
-  EXPECT_NE(scene.goals[0].goal.joint_mask, 0);
+  EXPECT_EQ(scene.goals[0].request.side, ArmSide::kRight);
+  EXPECT_NE(scene.goals[0].request.joint_mask, 0);
   EXPECT_EQ(scene.modes[0].request.mode, Mode::kHold);
 }
 

@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   Scene scene = load_scene(argv[1]);
   const double vx = number_of("VX", 0.0);
   for (TimedWalk& walk : scene.walks) {
-    if (vx > 0.0) walk.command.vx = static_cast<float>(vx);
+    if (vx > 0.0) walk.request.vx = static_cast<float>(vx);
   }
   const char* robot = std::getenv("ROBOT");
   const Model model = load_robot(robot != nullptr ? robot : scene.robot.empty() ? "hrp1s" : scene.robot);

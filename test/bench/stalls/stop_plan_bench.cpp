@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
     Scene scene = load_scene(name);
     const Model model = load_robot("hrp1s");
     resolve_poses(scene, model);
-    const double speed = scene.walks.empty() ? 0.3 : static_cast<double>(scene.walks.front().command.vx);
+    const double speed = scene.walks.empty() ? 0.3 : static_cast<double>(scene.walks.front().request.vx);
     OneProcess run(model, scene, {});
     Beside beside(model);
     const double kill = kFirstKill + kBetween * r;
