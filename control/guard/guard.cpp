@@ -283,8 +283,8 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   predict(state, command);
   bound_moves();
   ahead_of_now.q = now.q;
-  pair_count = collision.near_pairs(*now_kinematics, std::max(config.near, config.margin),
-                                    pairs.data(), kMaxPairs, &ahead_of_now);
+  ahead = collision.near_pairs(*now_kinematics, std::max(config.near, config.margin), pairs.data(), kMaxPairs,
+                               ahead_of_now, pair_count);
 
   look_what_parts();
 

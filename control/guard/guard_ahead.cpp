@@ -170,20 +170,18 @@ void Guard::Impl::look_what_parts() noexcept {
 }
 
 // Does the pair come too near at one of these places?  If not, pair.open says what is not proved.
-bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
-                        const Courses& courses, Collision::OnWay& pair) noexcept {
+bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses,
+                        const Collision::PathPlaces& path, Collision::PathPair& pair) noexcept {
   const PairDistance* before = near_now(pair.link_a, pair.link_b);
   const bool parts = std::find(parting.begin(), parting.end(), std::pair(pair.link_a, pair.link_b)) != parting.end();
-  pair.margin = parts ? 0.0 : margin_of(pair.link_a, pair.link_b);
-  const double distance = before != nullptr ? before->distance : pair.margin;
+  const double margin = parts ? 0.0 : margin_of(pair.link_a, pair.link_b);
+  const double distance = before != nullptr ? before->distance : margin;
   if (parts && distance < kBarely) return false;
-  pair.clear = kProved * std::min(distance, pair.margin);
-  collision.begin(pair);
+  path.begin(pair, margin, kProved * std::min(distance, margin));
   if (distance < kBarely) pair.open = 0;
   if (!(distance > 0.0)) pair.asked = ~kDepths;
   PairDistance found, far;
-  for (int place;
-       (place = collision.nearer_on_way(pair, !(distance > 0.0), looks_left, found)) >= 0;) {
+  for (int place; (place = path.next_nearer(pair, !(distance > 0.0), looks_left, found)) >= 0;) {
     if (before == nullptr &&
         collision.pair_nearer_than(*now_kinematics, pair.link_a, pair.link_b, kAnywhere, far))
       before = &far;
@@ -191,7 +189,7 @@ bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
     suspect = pair.pair;
     if (!cause.found || cause.link_a < 0)
       cause = {.found = true, .link_a = pair.link_a, .link_b = pair.link_b, .now = before->distance, .then = found.distance,
-               .margin = pair.margin};
+               .margin = margin};
     blame(*before, found, way, shares[at(place)], courses);
     return true;
   }
@@ -199,9 +197,9 @@ bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
 }
 
 // Only the joints that these pairs hang on.
-void Guard::Impl::ask_joints(const Collision::OnWay* asked, int count) noexcept {
+void Guard::Impl::ask_joints(const Collision::PathPair* asked, int count) noexcept {
   for (int j = 0; j < model->joint_count(); ++j) {
-    places.asked[at(j)] = std::any_of(asked, asked + count, [&](const Collision::OnWay& pair) {
+    places.asked[at(j)] = std::any_of(asked, asked + count, [&](const Collision::PathPair& pair) {
       return moves_link(j, pair.link_a) || moves_link(j, pair.link_b);
     });
   }
@@ -209,25 +207,25 @@ void Guard::Impl::ask_joints(const Collision::OnWay* asked, int count) noexcept 
 
 // Looks at these pairs at these places, then between them at what is not proved to stay apart; true when
 // one comes too near.
-bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
-                       const Courses& courses, int part, int count) noexcept {
+bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses,
+                       const Collision::PathSearch& search, const Collision::PathPlaces& path, int part, int count) noexcept {
   auto& pairs_open = open[at(part)];
   for (int p = 1; p < count; ++p) {
     if (pairs_open[at(p)].pair == suspect) std::swap(pairs_open[0], pairs_open[at(p)]);
   }
-  const Collision::OnWay* found = nullptr;
+  const Collision::PathPair* found = nullptr;
   for (int p = 0; p < count; ++p) {
-    Collision::OnWay& pair = pairs_open[at(p)];
+    Collision::PathPair& pair = pairs_open[at(p)];
     const bool again =
         found != nullptr && found->link_a == pair.link_a && found->link_b == pair.link_b;
-    if (!again && judge(way, shares, courses, pair)) found = &pair;
+    if (!again && judge(way, shares, courses, path, pair)) found = &pair;
     if (looks_left == 0 && found == nullptr && pair.open != 0) return hold_all();
     // Without looks no more is found, and nothing changes the answer once all is held and a stop is asked for.
     if (found != nullptr && (looks_left == 0 || (all_held() && leg_hit))) break;
   }
   if (found != nullptr) return true;
   for (int stretch = SweptShapes::kPlaces - 2; stretch >= 0; --stretch) {
-    const auto is_open = [&](const Collision::OnWay& pair) {
+    const auto is_open = [&](const Collision::PathPair& pair) {
       return (pair.open >> static_cast<unsigned>(stretch) & 1U) != 0;
     };
     if (std::none_of(pairs_open.begin(), pairs_open.begin() + count, is_open)) continue;
@@ -238,8 +236,7 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
     const auto parts = CourseWay::between(shares[at(stretch)], shares[at(stretch + 1)]);
     ask_joints(open[at(part + 1)].data(), static_cast<int>(next_end - open[at(part + 1)].begin()));
     way.go(now.q, parts, places);
-    collision.go(now.base, places);
-    if (look(way, parts, courses, part + 1,
+    if (look(way, parts, courses, search, search.along(now.base, places), part + 1,
              static_cast<int>(next_end - open[at(part + 1)].begin())))
       return true;
   }
@@ -279,16 +276,17 @@ void Guard::Impl::prove_mask() noexcept {
 bool Guard::Impl::look_along(const Courses& courses) noexcept {
   if (!(travel(courses, nullptr) > kNearer)) return false;
   if (all_held() && leg_hit) return true;
-  if (!collision.narrow(rests, config.margin, places.asked, all_held())) return false;
+  const Collision::PathSearch search = ahead->search(rests, config.margin, places.asked, all_held());
+  if (!search) return false;
   const CourseWay way(courses, track.delay());
   const CourseWay::Shares shares = way.shares();
   way.go(now.q, shares, places);
-  collision.go(now.base, places);
+  const Collision::PathPlaces path = search.along(now.base, places);
   const int most = std::min(kMostOpen, looks_left);  // each of them takes a look at least
-  const int count = collision.open_on_way(config.margin, kProved * config.margin, open[0].data(), most);
+  const int count = path.open_pairs(config.margin, kProved * config.margin, open[0].data(), most);
   ++work.ways;
   work.open += count;
-  const bool found = count > most ? hold_all() : look(way, shares, courses, 0, count);
+  const bool found = count > most ? hold_all() : look(way, shares, courses, search, path, 0, count);
   danger = danger || found;
   return found;
 }

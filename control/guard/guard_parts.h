@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -44,11 +45,12 @@ struct Guard::Impl {
   Eigen::VectorXd changes;            // of a distance, by joints [joint_count, m]
   std::vector<std::int64_t> bits_of;  // of a joint, or of the one it follows, on the bus
   Collision::Ahead ahead_of_now;      // all courses that this tick may look along
+  std::optional<Collision::PathsAhead> ahead;  // of this tick
   SweptShapes::Way places;
   std::array<PairDistance, kMaxPairs> pairs{};
   int pair_count = 0;
   std::array<std::pair<int, int>, 16> parting{};  // what a hand holds and what it stood on; (0, 0) is none
-  std::array<std::array<Collision::OnWay, kMostOpen>, kMostParts> open;
+  std::array<std::array<Collision::PathPair, kMostOpen>, kMostParts> open;
   int suspect = -1;  // shapes that came too near when a way was looked along last
   int stretches_left = 0, looks_left = 0;
   GuardWork work;
@@ -96,10 +98,10 @@ struct Guard::Impl {
   double travel(const Courses& courses, const Courses* other) noexcept;
   void go_to(const CourseWay& way, double share) noexcept;
   bool judge(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses,
-             Collision::OnWay& pair) noexcept;
-  bool look(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses, int part,
-            int count) noexcept;
-  void ask_joints(const Collision::OnWay* asked, int count) noexcept;
+             const Collision::PathPlaces& path, Collision::PathPair& pair) noexcept;
+  bool look(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses,
+            const Collision::PathSearch& search, const Collision::PathPlaces& path, int part, int count) noexcept;
+  void ask_joints(const Collision::PathPair* asked, int count) noexcept;
   bool hold_all() noexcept;
   // Then only what legs do can still change the answer.
   bool all_held() const noexcept { return (mask & all_but_legs) == all_but_legs; }

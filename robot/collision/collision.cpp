@@ -360,22 +360,29 @@ int Collision::Impl::nearest(std::span<NearShapes::Candidate> candidates, double
 }
 
 int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
-                          int capacity, const Ahead* ahead) noexcept {
+                          int capacity) noexcept {
   Impl& i = *impl_;
   i.gap.depths = true;
   i.look_at(kinematics);
   i.place();
-  if (ahead == nullptr)
-    return i.nearest(i.near_shapes.nearer_than(near), near, capacity, std::min(near, 0.0), pairs,
-                     capacity);
+  return i.nearest(i.near_shapes.nearer_than(near), near, capacity, std::min(near, 0.0), pairs, capacity);
+}
+
+Collision::PathsAhead Collision::near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
+                                            int capacity, const Ahead& ahead, int& count) noexcept {
+  Impl& i = *impl_;
+  i.gap.depths = true;
+  i.look_at(kinematics);
+  i.place();
   i.gap.close = kMicrometre;
-  i.walk_on(*ahead);
-  i.let_shapes_move(*ahead);
-  i.ahead = i.near_shapes.nearer_than(near, ahead->near, i.walks);
+  i.walk_on(ahead);
+  i.let_shapes_move(ahead);
+  i.ahead = i.near_shapes.nearer_than(near, ahead.near, i.walks);
   i.ahead_from = &kinematics;
   for (std::size_t c = 0; c < i.ahead.size(); ++c) i.apart[c].known = false;
-  const int enough = ahead->enough > 0 ? std::min(ahead->enough, capacity) : capacity;
-  return i.nearest(i.ahead, near, enough, ahead->near, pairs, capacity);
+  const int enough = ahead.enough > 0 ? std::min(ahead.enough, capacity) : capacity;
+  count = i.nearest(i.ahead, near, enough, ahead.near, pairs, capacity);
+  return PathsAhead(&i);
 }
 
 bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,

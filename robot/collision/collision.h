@@ -53,7 +53,7 @@ class Collision {
   static constexpr int kMaxObstacles = 256;
 
   // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be
-  // read.  on_ways: shall go() and what follows it be called?  What that needs takes milliseconds with each set of obstacles.
+  // read.  on_ways: shall paths be looked along?  What that needs takes milliseconds with each set of obstacles.
   explicit Collision(const Model& model, bool on_ways = true);
   ~Collision();
 
@@ -84,15 +84,18 @@ class Collision {
     int enough = 0;     // of the pairs not nearer than `near`, the nearest; 0: all
   };
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
-  // many, to a micrometre.  With `ahead`, a way may be looked along afterwards.
-  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
-                 const Ahead* ahead = nullptr) noexcept;
+  // many, to a micrometre.
+  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity) noexcept;
+  // The same, count of them, and what may follow; the posture stays as it is while that is asked.
+  class PathsAhead;
+  PathsAhead near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
+                        const Ahead& ahead, int& count) noexcept;
   // Distance of one pair if it is nearer than `near` [m]; false when it is not.
   bool pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                         PairDistance& result) noexcept;
 
-  // Two shapes on a way, as far as they have been looked at.  Bits are places, or ways to the next.
-  struct OnWay {
+  // Two shapes on a path, as far as they have been looked at.  Bits are places, or ways to the next.
+  struct PathPair {
     int pair = -1, link_a = 0, link_b = 0;
     double margin = 0.0;                        // places where they are nearer are asked for [m]
     double clear = 0.0;                         // nowhere between are they to be nearer, unseen [m]
@@ -102,25 +105,8 @@ class Collision {
     SweptShapes::AtPlaces least;                // of the distance, at least [m]
     SweptShapes::AtPlaces left_out, travel;     // as SweptShapes has them
   };
-  // From now on only those shapes are looked at that may come nearer than `margin` [m] when no joint
-  // moves farther than `moves` from the posture of the last near_pairs that had `ahead`, which is still
-  // as it was; moves: no more than that said.  joints: 1 for those that it depends on where these
-  // shapes are, as SweptShapes::Way wants it [joint_count].  legs_alone: only shapes that a leg moves
-  // against each other.  False when no shapes are left.
-  bool narrow(const Eigen::VectorXd& moves, double margin,
-              std::vector<std::uint8_t>& joints, bool legs_alone = false) noexcept;
-  // Goes to the places of a way; `on_ways` was said.  Its joints move no farther than narrow was told.
-  void go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept;
-  // Of the shapes left, those that no direction at hand proves to stay `margin` apart at the places and
-  // `clear` between [m]; at most capacity; how many there are, or that there are more.
-  int open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept;
-  // Begins to look at two shapes on the way, margin and clear as they say.
-  void begin(OnWay& pair) noexcept;
-  // The next place where they are nearer than the margin, -1 when there is none left; then pair.open
-  // says what could not be proved.  result: with depth, points and normal if depths, else pairs that
-  // touch have distance zero and no more.  looks: taken off for every distance measured; none is
-  // when none is left, and everything may be open.
-  int nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept;
+  class PathPlaces;
+  class PathSearch;
 
   // How far joints can move the geometry.
   const JointReach& reach() const noexcept;
@@ -128,6 +114,58 @@ class Collision {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+};
+
+// One path at its places, from PathSearch::along; the next one ends it.
+class Collision::PathPlaces {
+ public:
+  // Of the shapes left, those that no direction at hand proves to stay `margin` apart at the places and
+  // `clear` between [m]; at most capacity; how many there are, or that there are more.
+  int open_pairs(double margin, double clear, PathPair* pairs, int capacity) const noexcept;
+  // Begins to look at two shapes on the path.
+  void begin(PathPair& pair, double margin, double clear) const noexcept;
+  // The next place where they are nearer than the margin, -1 when there is none left; then pair.open
+  // says what could not be proved.  result: with depth, points and normal if depths, else pairs that
+  // touch have distance zero and no more.  looks: taken off for every distance measured; none is
+  // when none is left, and everything may be open.
+  int next_nearer(PathPair& pair, bool depths, int& looks, PairDistance& result) const noexcept;
+
+ private:
+  friend PathSearch;
+  PathPlaces(Impl* impl, std::int64_t path) : impl_(impl), path_(path) {}
+  Impl& impl() const noexcept;  // asserts that no other path was gone along since
+  Impl* impl_;
+  std::int64_t path_;
+};
+
+// The shapes that may come near one another, from PathsAhead::search; the next one ends it.
+class Collision::PathSearch {
+ public:
+  explicit operator bool() const noexcept { return left_; }  // false: there are none
+  // The places of a path whose joints move no farther than was said.
+  PathPlaces along(const Eigen::Isometry3d& base, const SweptShapes::Way& way) const noexcept;
+
+ private:
+  friend PathsAhead;
+  PathSearch(Impl* impl, bool left) : impl_(impl), left_(left) {}
+  Impl* impl_;
+  bool left_;
+};
+
+// Paths that may follow the posture of a near_pairs.  `on_ways` was said.
+class Collision::PathsAhead {
+ public:
+  // Only those shapes that may come nearer than `margin` [m] when no joint moves farther than `moves`
+  // from the posture, no more than its Ahead said.  joints: 1 for those that it depends on where these
+  // shapes are, as SweptShapes::Way wants it [joint_count].  legs_alone: only shapes that a leg moves
+  // against each other.
+  PathSearch search(const Eigen::VectorXd& moves, double margin, std::vector<std::uint8_t>& joints,
+                    bool legs_alone = false) const noexcept;
+
+ private:
+  friend class Collision;
+  explicit PathsAhead(Impl* impl) : impl_(impl) {}
+  Impl* impl_;
 };
 
 }  // namespace twinbus

@@ -75,7 +75,8 @@ struct Collision::Impl {
   const Model* model = nullptr;
   const Kinematics* kinematics = nullptr;  // of this query
   int link_count = 0;
-  bool on_ways = true;  // go() may be called
+  bool on_ways = true;  // paths may be looked along
+  std::int64_t path = 0;  // number of the one that was gone along last
   int link_owners = 0, moved_owners = 0;  // links; with what they hold
   std::vector<double> link_radius;        // of a link's own shapes about its origin [m]
   int last_hit = 0;
@@ -104,8 +105,8 @@ struct Collision::Impl {
   int nearest(std::span<NearShapes::Candidate> candidates, double near, int enough, double all,
               PairDistance* pairs, int capacity) noexcept;
   void know(NearShapes::Candidate& candidate, double at_least) noexcept;
-  static void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) noexcept;
-  static void note_hopeless(OnWay& pair, const SweptShapes::AtPlaces& most) noexcept;
+  static void note(PathPair& pair, const SweptShapes::AtPlaces& gaps) noexcept;
+  static void note_hopeless(PathPair& pair, const SweptShapes::AtPlaces& most) noexcept;
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
 };
 

@@ -2,6 +2,7 @@
 // is proved to stay apart.
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "robot/collision/collision_impl.h"
@@ -32,7 +33,7 @@ unsigned if_so(bool is, int k) { return static_cast<unsigned>(is) << static_cast
 double number(float x) { return static_cast<double>(x); }
 
 // The place to measure next: where they may be nearest of those that may still say something, or -1.
-int next_place(const Collision::OnWay& pair) noexcept {
+int next_place(const Collision::PathPair& pair) noexcept {
   const unsigned useful = pair.open & ~pair.hopeless;
   const unsigned worth = (~pair.far | useful | useful << 1U) & ~pair.asked & kAllPlaces;
   int best = -1;
@@ -113,8 +114,8 @@ bool Collision::Impl::stays_parted(std::size_t candidate, const Eigen::VectorXd&
 
 // What a direction did not part is not asked for one again at once, nor are directions looked for when
 // so much is left that the way is looked along anyway, nor on the next ways.
-bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
-                       std::vector<std::uint8_t>& joints, bool legs_alone) noexcept {
+Collision::PathSearch Collision::PathsAhead::search(const Eigen::VectorXd& moves, double margin,
+                                                    std::vector<std::uint8_t>& joints, bool legs_alone) const noexcept {
   Impl& i = *impl_;
   const bool many = i.many_left > 0;
   if (many) --i.many_left;
@@ -146,32 +147,37 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
   }
   if (!many && left > kMany) i.many_left = kWait;
   i.looked_at = {i.left.data(), at(left)};
-  return left > 0;
+  return {&i, left > 0};
 }
 
-void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept {
+Collision::PathPlaces Collision::PathSearch::along(const Eigen::Isometry3d& base,
+                                                   const SweptShapes::Way& way) const noexcept {
   impl_->swept->go(base, way);
+  return {impl_, ++impl_->path};
 }
 
-int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept {
-  Impl& i = *impl_;
+Collision::Impl& Collision::PathPlaces::impl() const noexcept {
+  assert(impl_->path == path_);
+  return *impl_;
+}
+
+int Collision::PathPlaces::open_pairs(double margin, double clear, PathPair* pairs, int capacity) const noexcept {
+  Impl& i = impl();
   const int count = i.swept->open(i.looked_at, margin, clear, i.open_pairs.data(),
                                   std::min(capacity, static_cast<int>(i.open_pairs.size())));
   for (int p = 0; p < std::min(count, capacity); ++p) {
-    OnWay& pair = pairs[p];
+    PathPair& pair = pairs[p];
     pair.pair = i.open_pairs[at(p)];
     const auto [a, b] = i.swept->shapes(pair.pair);
     const OwnerPair& links = i.pairs[at(i.pair_of[at(a) * i.shapes.size() + at(b)])];
     pair.link_a = i.owner(links.a).index;
     pair.link_b = i.owner(links.b).index;
-    pair.margin = margin;
-    pair.clear = clear;
   }
   return count;
 }
 
 // What the gaps along one direction prove.  Without branches, which nothing foretells.
-void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) noexcept {
+void Collision::Impl::note(PathPair& pair, const SweptShapes::AtPlaces& gaps) noexcept {
   unsigned far = 0, proved = 0;
   for (int k = 0; k < kPlaces; ++k) {
     pair.least[at(k)] = std::max(pair.least[at(k)], gaps[at(k)]);
@@ -184,7 +190,7 @@ void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) noexc
 }
 
 // Ways so long, or shapes so near together, that no distance at their ends can prove them.  most: that they are apart.
-void Collision::Impl::note_hopeless(OnWay& pair, const SweptShapes::AtPlaces& most) noexcept {
+void Collision::Impl::note_hopeless(PathPair& pair, const SweptShapes::AtPlaces& most) noexcept {
   for (int k = 0; k + 1 < kPlaces; ++k) {
     const float here = most[at(k)], next = most[at(k + 1)];
     const bool by_gaps = number(std::min(here, next) - pair.left_out[at(k)]) < pair.clear,
@@ -193,8 +199,10 @@ void Collision::Impl::note_hopeless(OnWay& pair, const SweptShapes::AtPlaces& mo
   }
 }
 
-void Collision::begin(OnWay& pair) noexcept {
-  const SweptShapes::Bounds known = impl_->swept->bounds(pair.pair);
+void Collision::PathPlaces::begin(PathPair& pair, double margin, double clear) const noexcept {
+  const SweptShapes::Bounds known = impl().swept->bounds(pair.pair);
+  pair.margin = margin;
+  pair.clear = clear;
   pair.open = kAllWays;
   pair.asked = pair.far = pair.hopeless = 0;
   pair.left_out = known.left_out;
@@ -205,8 +213,8 @@ void Collision::begin(OnWay& pair) noexcept {
   Impl::note_hopeless(pair, known.most_apart);
 }
 
-int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept {
-  Impl& i = *impl_;
+int Collision::PathPlaces::next_nearer(PathPair& pair, bool depths, int& looks, PairDistance& result) const noexcept {
+  Impl& i = impl();
   const auto [a, b] = i.swept->shapes(pair.pair);
   NearShapes::Candidate candidate;
   candidate.a = a;

@@ -200,7 +200,7 @@ TEST(Collision, NothingThatComesNearOnAWayIsLeftOut) {
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   std::vector<PairDistance> all(2000);
-  std::vector<Collision::OnWay> open(2000);
+  std::vector<Collision::PathPair> open(2000);
   SweptShapes::Way way;
   way.q.resize(model.joints.size());
   way.bend.resize(model.joints.size());
@@ -222,19 +222,22 @@ TEST(Collision, NothingThatComesNearOnAWayIsLeftOut) {
       ahead.moves[j] = std::abs(along) * (kPlaces - 1) + 0.03 * step;
     }
     now.update(c);
-    collision.near_pairs(now, 0.05, all.data(), 2000, &ahead);
-    if (collision.narrow(ahead.moves, kMargin, way.asked)) collision.go(c.base, way);
-    const int count = collision.open_on_way(kMargin, kClear, open.data(), 2000);
+    int found_now = 0;
+    const auto paths = collision.near_pairs(now, 0.05, all.data(), 2000, ahead, found_now);
+    const Collision::PathSearch search = paths.search(ahead.moves, kMargin, way.asked);
+    const Collision::PathPlaces path = search.along(c.base, way);
+    const int count = path.open_pairs(kMargin, kClear, open.data(), 2000);
+    EXPECT_TRUE(search || count == 0);
     ASSERT_LE(count, 2000);
     named += count;
     std::map<std::pair<int, int>, unsigned> near, may_be_near;  // places; stretches
     for (int p = 0; p < count; ++p) {
-      Collision::OnWay& pair = open[at(p)];
-      collision.begin(pair);
+      Collision::PathPair& pair = open[at(p)];
+      path.begin(pair, kMargin, kClear);
       int looks = 1000;
       PairDistance found;
       const std::pair<int, int> links{pair.link_a, pair.link_b};
-      for (int place; (place = collision.nearer_on_way(pair, false, looks, found)) >= 0;) {
+      for (int place; (place = path.next_nearer(pair, false, looks, found)) >= 0;) {
         EXPECT_LT(found.distance, kMargin);
         near[links] |= 1U << static_cast<unsigned>(place);
       }
@@ -309,7 +312,8 @@ TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
     }
     ahead.q = c.q;
     now.update(c);
-    const int found = collision.near_pairs(now, kNear, nearest.data(), 2000, &ahead);
+    int found = 0;
+    const Collision::PathsAhead paths = collision.near_pairs(now, kNear, nearest.data(), 2000, ahead, found);
     const int wanted = fresh.near_pairs(now, kNear, all.data(), 2000);
     for (int p = 0; p < wanted && (p < kEnough || all[at(p)].distance < kMargin); ++p) {
       ASSERT_LT(p, found) << k;
@@ -317,7 +321,7 @@ TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
           << k << " " << p;
       ++named;
     }
-    const bool left = collision.narrow(ahead.moves, kMargin, joints);
+    const bool left = static_cast<bool>(paths.search(ahead.moves, kMargin, joints));
     cleared += left ? 0 : 1;
     Configuration on_way = c;
     for (int j = 0; j < model.joint_count(); ++j) on_way.q[j] += unit(random) * ahead.moves[j];
