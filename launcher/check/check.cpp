@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
@@ -331,14 +331,6 @@ CheckSubject subject_asked_for(const std::string& name, bool mends) try {
   throw std::runtime_error(std::string(error.what()) + "; or let --mend put it right in a copy");
 }
 
-void write_file(const fs::path& path, const std::string& text) {
-  if (fs::exists(path)) throw std::runtime_error(path.string() + ": exists; name a new folder");
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 }  // namespace
 
 int check_command(const std::vector<std::string>& words) {
@@ -395,9 +387,9 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
   if (proposal && !folder.empty()) {
     const fs::path name(subject.source.urdf_name);
     fs::create_directories(folder);
-    write_file(fs::path(folder) / "robot.yaml", proposal->yaml);
-    write_file(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
-    write_file(fs::path(folder) / name, subject.text);
+    write_new(fs::path(folder) / "robot.yaml", proposal->yaml);
+    write_new(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
+    write_new(fs::path(folder) / name, subject.text);
   }
   if (proposal && !folder.empty()) proposed = load_robot(fs::absolute(folder).string());
   if (proposal) {  // beside robot.yaml itself, what the proposal leaves open

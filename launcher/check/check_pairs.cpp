@@ -1,10 +1,9 @@
 #include "launcher/check/check_pairs.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
 #include "robot/collision/exact/pair_proof.h"
@@ -60,11 +59,7 @@ int check_pairs(const Model& model, const std::string& file) {
   std::printf("; %zu are left out by the SRDF, %d of them unsoundly\n", model.disabled_pairs.size(),
               unsound);
   if (!file.empty()) {
-    if (std::filesystem::exists(file)) throw std::runtime_error(file + ": exists; name a new file");
-    std::ofstream stream(file, std::ios::binary);
-    stream << srdf_with_pairs(model, verdicts);
-    stream.close();
-    if (!stream) throw std::runtime_error(file + ": cannot be written");
+    write_new(file, srdf_with_pairs(model, verdicts));
     std::printf("written: %s\n", file.c_str());
   }
   return unsound > 0 ? 1 : 0;

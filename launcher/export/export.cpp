@@ -4,9 +4,9 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/process/arguments.h"
 #include "launcher/run/fit_scene.h"
 #include "robot/description/load.h"
@@ -92,15 +92,6 @@ std::string world_urdf(const WorldConfig& config) {
   return out + "  </link>\n</robot>\n";
 }
 
-void write_file(const fs::path& path, const std::string& text) {
-  if (fs::exists(path)) throw std::runtime_error(path.string() + ": exists; name a new folder");
-  fs::create_directories(path.parent_path());
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(path.string() + ": cannot be written");
-}
-
 // What other simulators are not told.
 void tell_left_out(const Scene& scene) {
   const auto tell = [](std::size_t count, const char* what) {
@@ -137,13 +128,13 @@ Contacts are another simulator's own: stiffness and damping of soles are not han
   std::string main_file;
   if (format == "mjcf") {
     main_file = (folder / "scene.xml").string();
-    write_file(main_file, mjcf_of(all, meshes));
+    write_new(main_file, mjcf_of(all, meshes));
   } else {
     main_file = (folder / "robot.urdf").string();
-    write_file(main_file, urdf_of_model(all.model, meshes));
-    write_file(folder / "world.urdf", world_urdf(world_of(all.scene, all.model.period())));
+    write_new(main_file, urdf_of_model(all.model, meshes));
+    write_new(folder / "world.urdf", world_urdf(world_of(all.scene, all.model.period())));
   }
-  for (const auto& [name, shape] : meshes.all()) write_file(folder / "meshes" / (name + ".obj"), obj_of(shape));
+  for (const auto& [name, shape] : meshes.all()) write_new(folder / "meshes" / (name + ".obj"), obj_of(shape));
   tell_left_out(all.scene);
   std::printf("written: %s\n", main_file.c_str());
   return 0;

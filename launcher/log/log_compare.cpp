@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/file/write_file.h"
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/process.h"

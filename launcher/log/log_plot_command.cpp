@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/process/arguments.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/commands/commands.h"

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "common/file/write_file.h"
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"

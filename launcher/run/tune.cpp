@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "common/file/write_file.h"
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/process.h"

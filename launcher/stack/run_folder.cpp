@@ -48,13 +48,6 @@ std::string make_run_folder() {
                            error.message() + "; set TWINBUS_RUNS to a folder that can be written");
 }
 
-void write_file(const std::string& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error("cannot write " + file);
-}
-
 std::string first_line_of(const std::string& file) {
   std::ifstream stream(file);
   std::string line;

@@ -17,9 +17,6 @@ std::string runs_folder();
 // Empty where it cannot be read.
 std::string first_line_of(const std::string& file);
 
-// Throws std::runtime_error naming the file.
-void write_file(const std::string& file, const std::string& text);
-
 // Folder of this very program, for its siblings; and of the source tree or installation around it.
 std::string program_folder();
 std::string install_folder();

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
@@ -25,12 +26,6 @@ namespace fs = std::filesystem;
 constexpr std::int64_t kLookForWish = 100'000'000;  // [ns]
 constexpr double kMostWait = 10.0;                  // [s]
 constexpr double kAnswerPause = 0.05;               // [s]
-
-// Whole at once, so that nobody reads half a wish.
-void put(const std::string& file, const std::string& text) {
-  write_file(file + ".new", text);
-  fs::rename(file + ".new", file);
-}
 
 bool is_running(const std::string& folder) {
   const std::string text = first_line_of(folder + "/pid");
@@ -73,7 +68,7 @@ void RestartRequests::look(Supervisor& supervisor, std::int64_t now_ns) {
     if (program == "twinbus_bridge") answer = "ok bridge";
     if (program == "twinbus_replay") answer = "ok replay";
   }
-  put(folder_ + "/restarted", answer + "\n");
+  write_whole(folder_ + "/restarted", answer + "\n");
 }
 
 void keep_viewer_addresses() {
@@ -100,7 +95,7 @@ A source that is started anew is parked; it moves nothing until it is asked.)"},
   const std::string folder = running_folder();
   const std::string answer = folder + "/restarted";
   ::unlink(answer.c_str());
-  put(folder + "/restart", arguments.word(0) + "\n");
+  write_whole(folder + "/restart", arguments.word(0) + "\n");
   const std::int64_t begin = monotonic_ns();
   while (seconds_since(begin) < kMostWait) {
     ::usleep(static_cast<useconds_t>(1e6 * kAnswerPause));

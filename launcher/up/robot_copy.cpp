@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/text/formatted.h"
 #include "common/text/xml.h"
 #include "launcher/stack/run_folder.h"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/text/json_depth.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/up/robot_copy.h"

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/file/write_file.h"
 #include "launcher/stack/run_folder.h"
 #include "common/process/process.h"
 
@@ -99,10 +100,7 @@ std::string SetupWishes::save(const std::string& wish, const std::string& robot,
   answer["ok"] = saved;
   answer["text"] = sentence;
   const auto replace = nlohmann::json::error_handler_t::replace;
-  return answered(sentence, [&] {
-    write_file(folder_ + "/saved.json.new", answer.dump(-1, ' ', true, replace));
-    fs::rename(folder_ + "/saved.json.new", folder_ + "/saved.json");  // whole at once
-  });
+  return answered(sentence, [&] { write_whole(folder_ + "/saved.json", answer.dump(-1, ' ', true, replace)); });
 }
 
 // What of the robot is changed, for a page that is opened later.

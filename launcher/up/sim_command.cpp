@@ -6,10 +6,10 @@
 
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
@@ -60,8 +60,7 @@ int ask_simulator(const Arguments& arguments, SimRequest& request) {
 int reset_world() {
   const std::string folder = running_folder() + "/setup", answer = folder + "/answer";
   ::unlink(answer.c_str());
-  write_file(folder + "/wish.json.new", "{\"again\": true}");
-  std::filesystem::rename(folder + "/wish.json.new", folder + "/wish.json");
+  write_whole(folder + "/wish.json", "{\"again\": true}");
   const std::int64_t begin = monotonic_ns();
   while (seconds_since(begin) < kReset && !quit_requested()) {
     ::usleep(50'000);

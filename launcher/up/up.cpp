@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "common/file/write_file.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/formatted.h"

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "common/file/write_file.h"
 #include "common/math/pose_math.h"
 #include "robot/description/robot_yaml.h"
 
@@ -111,15 +112,12 @@ std::string setup_choices(const Model& model, const std::string& scenes_folder) 
 
 std::string lay_wish(const std::string& folder, const std::string& wish) {
   if (folder.empty()) return "setup: this viewer was not started by ./twinbus up";
-  const std::string file = folder + "/setup/wish.json";
-  {
-    std::ofstream stream(file + ".new", std::ios::binary);
-    stream << wish;
-    if (!stream.flush()) return "setup: cannot write " + file;
+  try {
+    write_whole(folder + "/setup/wish.json", wish);
+  } catch (const std::runtime_error& error) {
+    return std::string("setup: ") + error.what();
   }
-  std::error_code error;
-  fs::rename(file + ".new", file, error);  // whole at once
-  return error ? "setup: cannot write " + file : std::string();
+  return {};
 }
 
 }  // namespace twinbus

@@ -1,0 +1,31 @@
+#include "common/file/write_file.h"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace twinbus {
+
+namespace fs = std::filesystem;
+
+void write_file(const std::string& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error("cannot write " + file);
+}
+
+void write_whole(const std::string& file, const std::string& text) {
+  write_file(file + ".new", text);
+  std::error_code error;
+  fs::rename(file + ".new", file, error);
+  if (error) throw std::runtime_error("cannot write " + file);
+}
+
+void write_new(const std::string& file, const std::string& text) {
+  if (fs::exists(file)) throw std::runtime_error(file + ": exists; name a new one");
+  if (fs::path(file).has_parent_path()) fs::create_directories(fs::path(file).parent_path());
+  write_file(file, text);
+}
+
+}  // namespace twinbus
