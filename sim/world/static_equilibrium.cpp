@@ -1,10 +1,12 @@
 #include "sim/world/static_equilibrium.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/estimation/point_legs.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "sim/world/link_hull.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
@@ -130,6 +132,39 @@ void level_points(const Eigen::Matrix3Xd& point, const Eigen::Vector3d& com, Eig
   base.prerotate(Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()));
 }
 
+// Heights of all points of the feet with which they may meet the ground, as the engines do [m]: of balls, boxes and the corners of
+// meshes.
+std::vector<double> heights_of(const Model& model, const StandingFeet& feet, const Kinematics& kinematics) {
+  std::vector<double> heights;
+  for (int foot = 0; foot < feet.count(); ++foot) {
+    const Eigen::Isometry3d& link = kinematics.link_in_world(feet.link(foot));
+    const std::size_t before = heights.size();
+    for (const Shape& shape : model.links[static_cast<std::size_t>(feet.link(foot))].collision) {
+      const Eigen::Isometry3d pose = link * shape.pose;
+      if (shape.kind == ShapeKind::kSphere) heights.push_back(pose.translation().z() - shape.size.x());
+      for (int i = 0; shape.kind == ShapeKind::kBox && i < 27; ++i) {
+        const Eigen::Vector3d share(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        heights.push_back((pose * (0.5 * share.cwiseProduct(shape.size))).z());
+      }
+      if (shape.kind != ShapeKind::kMesh) continue;
+      for (const Eigen::Vector3d& corner : link_hull(shape).points) heights.push_back((link * corner).z());
+    }
+    if (heights.size() == before) heights.push_back(feet.point(foot).z());
+  }
+  return heights;
+}
+
+// Where the ground is when springs at these heights, each pressed in so far below it, carry a load: sum of max(0, level - h) [m].
+double ground_level(std::vector<double> heights, double load) {
+  std::sort(heights.begin(), heights.end());
+  double sum = 0.0, level = 0.0;
+  for (std::size_t n = 0; n < heights.size() && (n == 0 || level > heights[n]); ++n) {
+    sum += heights[n];
+    level = (load + sum) / static_cast<double>(n + 1);
+  }
+  return level;
+}
+
 // Of a robot that stands on points: they come to lie on the ground, as deep as their share of the weight presses them in, their
 // middle at the origin.  Normal forces are the smallest that carry the weight; empty when it stands on fewer than two, or the
 // centre of mass is not above them.
@@ -161,14 +196,14 @@ std::vector<PointLoad> place_on_points(const Model& model, double weight, Kinema
     const Eigen::Matrix3d square = arm * arm.transpose();
     normal = arm.transpose() * square.ldlt().solve(Eigen::Vector3d(weight, 0.0, 0.0));
   }
-  const double depth = weight / (static_cast<double>(count) * kLinkStiffness);
-  configuration.base.pretranslate(Eigen::Vector3d(-middle.x(), -middle.y(), -middle.z() - depth));
+  const double level = ground_level(heights_of(model, feet, kinematics), weight / kLinkStiffness);
+  const Eigen::Vector3d way(-middle.x(), -middle.y(), -level);
+  configuration.base.pretranslate(way);
   kinematics.update(configuration);
   std::vector<PointLoad> loads;
   if (!normal.allFinite() || normal.minCoeff() < 0.0) return loads;
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Vector3d placed = point.col(i) + Eigen::Vector3d(-middle.x(), -middle.y(), -middle.z() - depth);
-    loads.push_back({feet.link(static_cast<int>(i)), placed, normal[i]});
+    loads.push_back({feet.link(static_cast<int>(i)), point.col(i) + way, normal[i]});
   }
   return loads;
 }

@@ -234,6 +234,29 @@ TEST(Quadruped, ItsFeetSayWhatTheyCarry) {
   for (std::size_t row = 4; row < kLimbs; ++row) EXPECT_EQ(state.wrench_kind[row], WrenchKind::kAbsent) << row;
 }
 
+// Feet of meshes touch with more than one point: each counts when the robot is put on the ground.
+TEST(Quadruped, BeginsAsDeepAsItsWeightPressesIt) {
+  Model model = test::four_legged(1.0);
+  for (Link& link : model.links) {
+    const std::vector<Shape> shapes = link.collision;
+    for (const Shape& shape : shapes) {
+      if (shape.kind != ShapeKind::kSphere) continue;
+      for (const double aside : {-0.01, 0.01}) {
+        link.collision.push_back(shape);
+        link.collision.back().pose.pretranslate(Eigen::Vector3d(0.0, aside, 0.0));
+      }
+    }
+  }
+  SimRig rig(model, flat(), {}, {});
+  const double weight = kGravity * model.total_mass();
+  for (int tick = 0; tick < 20; ++tick) {
+    ASSERT_TRUE(rig.tick());
+    double sum = 0.0;
+    for (int foot = 0; foot < 4; ++foot) sum += static_cast<double>(rig.truth().foot_force[static_cast<std::size_t>(foot)][2]);
+    EXPECT_NEAR(sum, weight, 0.25 * weight) << tick;
+  }
+}
+
 TEST(Quadruped, TrotsWhereItIsToldAndStandsAgain) {
   for (const double size : {1.0, 2.0}) {
     const Model& model = test::four_legged(size);
