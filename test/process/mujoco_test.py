@@ -1,17 +1,25 @@
 #!/usr/bin/env python3
-"""Engine mujoco beside ours, on the bus: our controller stands and sways on both while it is switched from the one to the other.
+"""Engine mujoco beside ours and beside the hardware bridge, on the bus: our controller stands, sways and squats while it is switched
+from the one to the other.  A switch to the bridge is judged as those of our own engine are (switch_test.py).  One to MuJoCo is judged by
+ticks and balance: its ground is not shifted below a sole until the contact forces of the robot go on, as that of our engines is (World::
+set_corner_offset), and in the middle of a sway a foot then feels up to 18 % of the weight from tick to tick.
 
 Skipped (exit status 77) where MuJoCo is not installed; what is said then is checked all the same.
 """
 
 import math
+import random
 import sys
 import time
 
 import harness
 from harness import Bus, Checks, Stack, cli
+from stalls import Stalls
+from switch_figures import judge, judge_continuity
+from switch_test import Row
 
 SWITCHES = 6
+TO_BRIDGE_AND_BACK = 20 if harness.FULL else 4
 LARGEST_TILT = math.radians(3.0)
 
 
@@ -54,8 +62,15 @@ def switched(checks, scene):
         bus.close()
 
 
+def beside_the_bridge(checks, motion, stalls):
+    all_figures = []
+    Row(checks, motion, TO_BRIDGE_AND_BACK, all_figures, random.Random(1), stalls, twosims=False, engine="mujoco",
+        judge_of=lambda target: judge if target == "bridge" else judge_continuity).run()
+    checks.at_least(len(all_figures), TO_BRIDGE_AND_BACK, f"{motion}: switches between mujoco and the bridge")
+
+
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard")
+    harness.require(*harness.STACK, "twinbus_bridge", "emulated_robot")
     checks = Checks()
     if not is_there(checks):
         print("skipped: MuJoCo is not installed (pip install mujoco, or TWINBUS_MUJOCO)")
@@ -64,6 +79,10 @@ def main():
         sys.exit(77)
     for scene in ("stand", "sway"):
         switched(checks, scene)
+    stalls = Stalls()
+    for motion in ("sway", "squat"):
+        beside_the_bridge(checks, motion, stalls)
+    stalls.close()
     checks.exit()
 
 

@@ -113,13 +113,18 @@ def figures(bus, new_run, at_ns, efforts):
     return f
 
 
-def judge(f, checks, what):
+def judge_continuity(f, checks, what):
+    """Of ticks and balance, whatever the body feels."""
     checks.that(f.ticks_without_command == 0, f"{what}: {f.ticks_without_command} ticks without a command "
                 f"{'; '.join(f.unanswered)}")
     checks.at_most(f.gap_ticks, 1, f"{what}: ticks nobody published")
     checks.that(f.double_ticks == 0 and f.two_obeying == 0,
                 f"{what}: two sources at once ({f.double_ticks} late states, {f.two_obeying} active states of the old one)")
-    checks.at_most(f.torque_step, 0.05, f"{what}: torque step of joint {f.torque_joint} as share of its limit")
-    checks.at_most(f.force_step, 0.10, f"{what}: foot force step as share of weight")
     checks.at_least(f.zmp_margin_mm, 10.0, f"{what}: ZMP margin of the next 0.5 s [mm]")
     checks.that(not f.fell, f"{what}: nobody falls")
+
+
+def judge(f, checks, what):
+    judge_continuity(f, checks, what)
+    checks.at_most(f.torque_step, 0.05, f"{what}: torque step of joint {f.torque_joint} as share of its limit")
+    checks.at_most(f.force_step, 0.10, f"{what}: foot force step as share of weight")

@@ -65,7 +65,7 @@ class Interrupted(Exception):
     """The machine stood still for so long that the robot was rightly stopped."""
 
 
-def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
+def one_switch(stack, bus, stalls, checks, what, target, efforts, policy, judge=switch_figures.judge):
     """(figures of a switch or None, a stall of the machine spoilt it).  Interrupted: it stopped the robot."""
     since = time.monotonic_ns() - 2_000_000_000
     status, said, f = switch_once(bus, target, efforts, policy)
@@ -78,7 +78,7 @@ def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
         return None, False
     checks.that(True, what)
     attempt = checks.tentative()
-    switch_figures.judge(f, attempt, what)
+    judge(f, attempt, what)
     stall = stalls.longest_ms(f.from_ns, f.to_ns)
     hit = attempt.failed > 0 and stall > 0.0
     print(f"{what}: {f.row()}" + (f"; the machine stood still for {stall:.1f} ms" if stall > 0.0 else ""), flush=True)
@@ -92,12 +92,14 @@ def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
 
 
 class Row:
-    """Switches of one motion: count of them, and one more for each that a stall of the machine spoilt."""
+    """Switches of one motion: count of them, and one more for each that a stall of the machine spoilt.  engine: of the simulator;
+    judge_of: what a switch to "sim" or "bridge" is judged by."""
 
-    def __init__(self, checks, motion, count, all_figures, rng, stalls, twosims):
+    def __init__(self, checks, motion, count, all_figures, rng, stalls, twosims, engine="", judge_of=lambda target: switch_figures.judge):
         self.checks, self.motion, self.count, self.all_figures = checks, motion, count, all_figures
         self.rng, self.stalls, self.twosims = rng, stalls, twosims
-        self.label = f"{motion}, two simulators" if twosims else motion
+        self.label = f"{motion}, two simulators" if twosims else f"{motion}, {engine} and bridge" if engine else motion
+        self.words, self.judge_of = ["--engine", engine] if engine else [], judge_of
         self.efforts = harness.effort_limits()
         self.number = self.spoilt = self.refused = 0
 
@@ -107,7 +109,7 @@ class Row:
     def run(self):
         while self.wants_more():
             name = "twosims" if self.twosims else disturbed_stack("both")
-            with Stack(self.motion, "--stack", name, "--no-viewer") as stack:
+            with Stack(self.motion, "--stack", name, "--no-viewer", *self.words) as stack:
                 bus = Bus()
                 try:
                     self.back_and_forth(stack, bus)
@@ -128,7 +130,7 @@ class Row:
             time.sleep(0.02 if self.number % 5 == 4 else 0.3 + 0.7 * self.rng.random())
             # A robot is left only when it stands still; a simulator at any time.
             policy = "now" if target == "bridge" or self.twosims else "when-safe"
-            f, hit = one_switch(stack, bus, self.stalls, self.checks, what, target, self.efforts, policy)
+            f, hit = one_switch(stack, bus, self.stalls, self.checks, what, target, self.efforts, policy, self.judge_of(target))
             if f is None:
                 self.refused += 1
                 continue
