@@ -3,6 +3,7 @@
 #   P/bin/twinbus             the program twinbus; as ./twinbus, but that it builds nothing
 #   P/lib/twinbus/bin         the processes            P/lib/twinbus/lib/adaptors   adaptors of hardware
 #   P/lib/twinbus/lib/python  message types in Python  P/lib/twinbus/share/types.jar  in Java
+#   P/lib/twinbus/lib/native  the compiled part of the Python package, where nanobind was when it was built (Debian 13; python/CMakeLists.txt)
 #   P/include/twinbus         headers, and message types in C++
 #   P/share/twinbus           config (robots, scenes, stacks), lcmtypes (*.lcm), python, examples, the viewer's page, doc
 #
@@ -49,6 +50,11 @@ foreach(name ${libraries} twinbus_flags twinbus_messages)
   list(APPEND exported ${name})
 endforeach()
 add_custom_target(installable DEPENDS programs ${exported})
+set(python_recommends)
+if(TARGET twinbus_native)
+  add_dependencies(installable twinbus_native)
+  set(python_recommends ", python3-numpy")
+endif()
 install(TARGETS ${exported} EXPORT twinbus
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT twinbus NAMESPACE twinbus:: FILE twinbusTargets.cmake DESTINATION ${package_dir} COMPONENT development)
@@ -121,6 +127,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, iproute2")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "cmake, g++, pkg-config, liblcm-dev, liblcm-bin, libeigen3-dev, libode-dev, liburdfdom-dev, libconsole-bridge-dev, libexpat1-dev, zlib1g-dev, libyaml-cpp-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "cmake, g++, pkg-config, liblcm-dev, liblcm-bin, libeigen3-dev, libode-dev, liburdfdom-dev, libconsole-bridge-dev, libexpat1-dev, zlib1g-dev, libyaml-cpp-dev${python_recommends}")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "default-jre, liblcm-java, libjchart2d-java")
 include(CPack)

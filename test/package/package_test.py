@@ -85,6 +85,26 @@ def programs(prefix, clean):
     assert (prefix / "share/twinbus/lcmtypes/robot_state_t.lcm").is_file()
 
 
+def compiled(build, prefix, clean):
+    """The package's compiled part is there where CMake found nanobind, and simulates in the Python that it was built for."""
+    cache = (pathlib.Path(build) / "CMakeCache.txt").read_text()
+    modules = list(prefix.glob("lib/twinbus/lib/native/_native*.so"))
+    if re.search(r"^nanobind_DIR:PATH=.*NOTFOUND$|^TWINBUS_PYTHON_MODULE:BOOL=OFF$", cache, re.M) or "nanobind_DIR" not in cache:
+        assert not modules, modules
+        print("without the compiled part of the Python package: no nanobind where it was built")
+        return
+    assert len(modules) == 1, f"nanobind was found, and the package has {modules}"
+    python = re.search(r"^_?Python_EXECUTABLE:\w+=(.+)$", cache, re.M)[1]
+    paths = dict(clean, PYTHONPATH=str(prefix / "share/twinbus/python"))
+    said = run(python, "-c", "import twinbus; print(twinbus.home.native().__file__)", env=paths)
+    assert said.strip() == str(modules[0]), said
+    if subprocess.run([python, "-c", "import numpy"], capture_output=True).returncode != 0:
+        print(f"no numpy in {python}: nothing is simulated in it")
+        return
+    said = run(python, "-c", "import twinbus; s = twinbus.Simulation('stand', 'hrp1s'); [s.step() for _ in range(50)]; print(s.time)", env=paths)
+    assert 0.09 < float(said) < 0.11, said
+
+
 def page(prefix, clean):
     """So does the page, and gives it to who has no token yet."""
     viewer = subprocess.Popen([prefix / "lib/twinbus/bin/twinbus_viewer", "--port", "0", "--no-open"], env=clean, stdout=subprocess.PIPE, text=True)
@@ -131,6 +151,7 @@ def main():
             points = re.search(r"((?<![\w.})-])|(?<=-[IL]))" + re.escape(TREE) + r"(?![\w.-])", file.read_text())
             assert not points, f"{file} points into the source tree"
         programs(prefix, clean)
+        compiled(build, prefix, clean)
         words(prefix, clean)
         page(prefix, clean)
         outside = folder / "build"

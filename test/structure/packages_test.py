@@ -41,6 +41,9 @@ def listed(text):
 
 def told():
     """(package, where) that a build file or ./twinbus names as what to install."""
+    for names in re.findall(r"apt-get install ([\w.+ -]+)", (ROOT / "python/CMakeLists.txt").read_text()):
+        for name in names.split():
+            yield name, "python/CMakeLists.txt"
     for file in sorted((ROOT / "cmake").glob("*.cmake")):
         text = re.sub(r"#.*", "", file.read_text())
         for pattern in (r"twinbus_pkg_config\(\w+ \S+ ([\w+.-]+)\)", r"twinbus_package\(([\w+.-]+) \w", r'twinbus_missing\("[^"$]*" ([\w+.-]+)\)'):
