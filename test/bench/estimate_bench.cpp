@@ -1,10 +1,11 @@
 // How far the velocity of the base that ESTIMATE says is from TRUTH, over the STATE of a log.
 //
-//   estimate_bench ROBOT LOG [--no-forces] [--from S] [--to S]
+//   estimate_bench ROBOT LOG [--no-forces] [--from S] [--to S] [--most M]
 //
 // Prints the root of the mean square, and the largest, of the error of the origin of the base in the heading frame of the base
 // [m/s]: forward, left, up; of robot/estimation/inertial_leg_odometry.h run over the STATE of the log, of the controller's
 // own estimator, and of ESTIMATE as it was logged, if it was.  --no-forces: the robot has no force sensors at its feet.
+// --most: exit status 1 when the odometry, or ESTIMATE, is off by more forward.
 
 #include <chrono>
 #include <cmath>
@@ -40,6 +41,7 @@ struct Error {
     expected += deviation.array().square();
     ++count;
   }
+  double forward() const { return std::sqrt(square[0] / count); }  // root of the mean square [m/s]
   void print(const char* name) const {
     if (count == 0) return;
     const Eigen::Array3d rms = (square / count).sqrt(), said = (expected / count).sqrt();
@@ -54,7 +56,7 @@ Eigen::Vector3d in_heading(const Eigen::Matrix3d& base, const Eigen::Vector3d& v
 
 Eigen::Matrix3d base_of(const Estimate& e) { return quaternion_from_array(e.base_attitude).toRotationMatrix(); }
 
-int run(const std::string& robot, const std::string& file, bool forces, double from, double to) {
+int run(const std::string& robot, const std::string& file, bool forces, double from, double to, double most) {
   const Model model = load_robot(robot);
   InertialLegOdometry odometry(model);
   Estimator estimator(model);
@@ -118,7 +120,7 @@ int run(const std::string& robot, const std::string& file, bool forces, double f
   of_odometry.print("accelerometer and feet");
   of_estimator.print("estimator");
   of_logged.print("ESTIMATE");
-  return 0;
+  return of_odometry.forward() <= most && (of_logged.count == 0 || of_logged.forward() <= most) ? 0 : 1;
 }
 
 int estimate(int argc, char** argv) {
@@ -127,9 +129,11 @@ Holds the velocity of the base that ESTIMATE says against TRUTH of a log: root o
 error [m/s], forward, left, up, beside the controller's own estimator.
   --no-forces  the robot has no force sensors at its feet
   --from S  of the log; default 1
-  --to S  of the log; default its end)"}, std::vector<std::string>(argv + 1, argv + argc));
+  --to S  of the log; default its end
+  --most M  exit status 1 when an error of ours forward is more, root of the mean square [m/s])"},
+                            std::vector<std::string>(argv + 1, argv + argc));
   return run(arguments.word(0), arguments.word(1), !arguments.has("--no-forces"), arguments.number("--from", 1.0, 0.0, 1e9),
-             arguments.number("--to", 1e9, 0.0, 1e9));
+             arguments.number("--to", 1e9, 0.0, 1e9), arguments.number("--most", 1e9, 0.0, 1e9));
 }
 
 }  // namespace

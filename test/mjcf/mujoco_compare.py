@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Robots of MuJoCo models fall and swing here and in MuJoCo: how far apart their links are.
 
-    mujoco_compare.py [--seconds 0.5] [--step 1e-4] [--table FILE] MODEL.xml ...
+    mujoco_compare.py [--seconds 0.5] [--step 1e-4] [--table FILE] [--least N] MODEL.xml|FOLDER ...
 
 Needs the wheel mujoco (pip install mujoco) and numpy; says so and skips (exit status 77) without them.  Without a model: the
 ones in this folder's models/.  Every model is read by both; MuJoCo refuses what it refuses.  First without contacts, limits,
 springs and friction loss, both with a converged step (each side says what half the step changes): links must be within 0.1 mm.
 Then, reported apart and not judged, with limits and with friction loss, which MuJoCo has soft and twinbus stiff.
-Exit status 1 when a model that both read parts by more.
+Of a FOLDER every .xml in it and below that is a model.  Exit status 1 when a model that both read parts by more, or when fewer than
+--least were compared or refused.
 """
 
 import argparse
@@ -127,6 +128,13 @@ def apart(a, b):
     return max((float(np.linalg.norm((a[n] - b[n]).reshape(2, 3), axis=1).max()) for n in both), default=float("nan")), len(both)
 
 
+def models_of(named):
+    """The file, or of a folder those that have a body of their own: others are parts of them."""
+    if named.is_file():
+        return [named]
+    return [file for file in sorted(named.rglob("*.xml")) if re.search(r"<mujoco\b[\s\S]*<body\b", file.read_text(errors="replace"))]
+
+
 def compare(file, seconds, step):
     """A row of the table, and whether it passes."""
     try:
@@ -157,8 +165,9 @@ def main():
     parser.add_argument("--seconds", type=float, default=0.5)
     parser.add_argument("--step", type=float, default=1e-4)
     parser.add_argument("--table", type=pathlib.Path)
+    parser.add_argument("--least", type=int, default=1)
     arguments = parser.parse_args()
-    models = arguments.models or sorted((pathlib.Path(__file__).parent / "models").glob("*.xml"))
+    models = [file for named in arguments.models or [pathlib.Path(__file__).parent / "models"] for file in models_of(named)]
     failed, lines = 0, []
     for file in models:
         row, good = compare(file, arguments.seconds, arguments.step)
@@ -173,7 +182,7 @@ def main():
     if arguments.table:
         arguments.table.write_text("\n".join(lines) + "\n")
     print(f"{len(models)} models, {failed} apart by more than {1e3 * MOST_APART} mm")
-    return 1 if failed or not models else 0
+    return 1 if failed or len(models) < arguments.least else 0
 
 
 if __name__ == "__main__":
