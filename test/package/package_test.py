@@ -97,7 +97,7 @@ def compiled(build, prefix, clean):
     python = re.search(r"^_?Python_EXECUTABLE:\w+=(.+)$", cache, re.M)[1]
     paths = dict(clean, PYTHONPATH=str(prefix / "share/twinbus/python"))
     said = run(python, "-c", "import twinbus; print(twinbus.home.native().__file__)", env=paths)
-    assert said.strip() == str(modules[0]), said
+    assert pathlib.Path(said.strip()).resolve() == modules[0].resolve(), said
     if subprocess.run([python, "-c", "import numpy"], capture_output=True).returncode != 0:
         print(f"no numpy in {python}: nothing is simulated in it")
         return
