@@ -52,6 +52,7 @@ class MinJerk {
   double velocity() const noexcept { return velocity_; }
   double acceleration() const noexcept { return acceleration_; }
   double target() const noexcept { return end_; }
+  double time_left() const noexcept { return moving_ ? duration_ - time_ : 0.0; }  // [s]
   bool moving() const noexcept { return moving_; }
 
  private:

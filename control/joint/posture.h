@@ -1,10 +1,12 @@
 // Joint-space set-points of every joint on the bus: each rests or is on a smooth way to where it
-// was sent.
+// was sent.  What a guard holds stays where it is held, and nothing runs on ahead of it: its way goes on
+// once the guard has been content for a while, and ends for good where it was held too often.
 
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "control/joint/min_jerk.h"
 #include "robot/description/model.h"
@@ -22,6 +24,13 @@ class Posture {
   // The joints of the mask go to q; not faster than share of the velocity limit, whatever duration
   // says.
   void move(const PerJoint<double>& q, std::int64_t mask, double duration) noexcept;
+  // Once per tick, behind advance(): joints of the mask are held by a guard, and were put at q and qd last [bus order].
+  void yield(std::int64_t mask, const PerJoint<double>& q, const PerJoint<double>& qd, double dt) noexcept;
+  // Bit per joint that was held on its way since the last call; that will not go on any more.
+  struct Held {
+    std::int64_t waits = 0, given_up = 0;
+  };
+  Held take_held() noexcept { return std::exchange(held_, {}); }
   // A joint that something else moves (an arm path).
   void set(int bus_joint, double q, double qd) noexcept;
   void advance(double dt) noexcept;
@@ -32,12 +41,29 @@ class Posture {
     return driven_[k] ? driven_rate_[k] : joint_[k].velocity();
   }
   bool moving() const noexcept;
+  bool waits() const noexcept { return waiting_ != 0; }  // some joint is to go on once nothing holds it
+  // One of these was sent somewhere last, and was held too often to come there.
+  bool gave_up(std::int64_t mask) const noexcept { return (given_up_ & mask) != 0; }
 
  private:
+  // Of a way that was asked for.
+  struct Way {
+    double to = 0.0, left = 0.0;  // where it goes [rad or m], the time that is left of it [s]
+    double shown = 0.0;           // since it began [s]
+    double clear_for = 0.0;       // since nothing holds the joint [s]
+    int blocks = 0;               // so often it was held
+  };
   double inside(int bus_joint, double q) const noexcept;
+  double least_time(int bus_joint, double q) const noexcept;  // to there [s]
+  void hold(int bus_joint, double q, double qd) noexcept;
+  void let_go(int bus_joint, double dt) noexcept;
 
   const Model* model_;
   std::array<MinJerk, kMaxJoints> joint_{};
+  std::array<Way, kMaxJoints> way_{};
+  std::int64_t asked_ = 0, waiting_ = 0, given_up_ = 0;  // bit per joint: has a way, waits on it, was held on it too often
+  std::int64_t braked_ = 0;                            // held a tick ago
+  Held held_;
   std::array<bool, kMaxJoints> driven_{};  // set() this tick
   PerJoint<double> driven_rate_{};
 };

@@ -9,6 +9,7 @@
 
 #include "common/math/index.h"
 #include "control/guard/guard.h"
+#include "control/guard/hold_words.h"
 #include "control/loop/blend.h"
 #include "control/loop/control_report.h"
 #include "control/loop/driver_token.h"
@@ -111,6 +112,7 @@ struct ControlLoop::Impl {
   GuardReport guard_heard;
   std::int64_t guard_heard_ns = 0;
   std::int64_t mask = 0;  // bit per joint held this tick
+  HoldWords hold_words;
   const char* sentence = nullptr;
   ControllerStatus status;
 };
@@ -124,11 +126,11 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
       brake(m),
       limits(m),
       planner(m, modes.any_walk(), first_number(c.controller_id)),
-      check(m) {
+      check(m),
+      hold_words(m) {
   if (m.bus_count() < 1 || m.bus_count() > kMaxJoints) {
     throw std::runtime_error("robot " + m.name + " has " + std::to_string(m.bus_count()) +
-                             " actuated joints; the bus carries 1 to " +
-                             std::to_string(kMaxJoints));
+                             " actuated joints; the bus carries 1 to " + std::to_string(kMaxJoints));
   }
   if (c.guard_in_loop) guard = std::make_unique<Guard>(m, GuardConfig{.guard_id = c.controller_id});
   for (int leg_joint : m.leg_joints) {
@@ -194,8 +196,7 @@ Eigen::Vector3d ControlLoop::Impl::walk_velocity(std::int64_t now_ns) const noex
   // One for the last source still counts for its time: a switch does not end a walk.
   const bool meant = walk.run_id == state.run_id || walk.run_id == previous_run;
   if (walk_ns != 0 && meant && static_cast<double>(now_ns - walk_ns) < timeout * 1e9) {
-    return Eigen::Vector3d(static_cast<double>(walk.vx), static_cast<double>(walk.vy),
-                           static_cast<double>(walk.wz));
+    return Eigen::Vector3d(static_cast<double>(walk.vx), static_cast<double>(walk.vy), static_cast<double>(walk.wz));
   }
   if (!pad_speaks(now_ns)) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d share(axis(gamepad.left_y), axis(gamepad.left_x), axis(gamepad.right_x));
@@ -320,6 +321,8 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
   measured = follows;
   blend.apply(want, dt);
   guard_and_mask(now_ns, dt);
+  const Posture::Held held = modes.take_held();
+  if (const char* why = hold_words.tell(held.waits, held.given_up, guard.get(), guard_heard, state.tick)) sentence = why;
   // Set-points that follow what is measured begin anew where another robot is; its gate fades them in.
   limits.apply(state, same_source ? now().last : nullptr, dt, want);
   last = want;
@@ -340,8 +343,7 @@ void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
 
 bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
   if (!have_state) return false;
-  if (state.role != Role::kActive && state.role != Role::kReleasing && state.role != Role::kStopped)
-    return false;
+  if (state.role != Role::kActive && state.role != Role::kReleasing && state.role != Role::kStopped) return false;
   const bool same_source = state.run_id == answered_run && state.term == answered_term;
   if (same_source && state.tick == answered_tick) {
     out = command;
@@ -389,8 +391,7 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
   return true;
 }
 
-ControlLoop::ControlLoop(const Model& model, const ControlConfig& config)
-    : impl_(std::make_unique<Impl>(model, config)) {}
+ControlLoop::ControlLoop(const Model& model, const ControlConfig& config) : impl_(std::make_unique<Impl>(model, config)) {}
 ControlLoop::~ControlLoop() = default;
 
 void ControlLoop::on_state(const RobotState& state, std::int64_t /*now_ns*/) noexcept {
@@ -470,9 +471,7 @@ void ControlLoop::footsteps(ObstaclesPiece& out) const noexcept {
   footstep_shapes(impl_->model, impl_->estimator, impl_->modes.walk(), out);
 }
 
-std::array<double, 2> ControlLoop::foot_forces() const noexcept {
-  return impl_->modes.foot_forces();
-}
+std::array<double, 2> ControlLoop::foot_forces() const noexcept { return impl_->modes.foot_forces(); }
 
 const char* ControlLoop::take_sentence(bool* of_path) noexcept {
   if (of_path != nullptr) *of_path = false;

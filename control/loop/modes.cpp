@@ -354,6 +354,7 @@ void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
 void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept {
   if (dt > 0.0) look_ahead(now);
   posture_.advance(dt);
+  if (dt > 0.0 && now.last != nullptr && !bracing_) posture_.yield(mask, now.last->q, now.last->qd, dt);
   if (balance_ != nullptr) balance_->watch(now.estimator, dt);
   // A path begins where a guard holds the arm, not where the arm was wanted before.
   for (int k = 0; now.last != nullptr && arm_.begins() && k < model_.bus_count(); ++k) {

@@ -92,6 +92,8 @@ class Modes {
     if (of_path != nullptr) *of_path = sentence_ != nullptr && sentence_ == path_refusal_;
     return std::exchange(sentence_, nullptr);
   }
+  // Joints that a guard held on their way.
+  Posture::Held take_held() noexcept { return posture_.take_held(); }
 
   Mode mode() const noexcept { return mode_; }
   const ArmFollow& arm() const noexcept { return arm_; }

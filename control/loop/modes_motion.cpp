@@ -148,8 +148,13 @@ void Modes::play(const Moment& now, std::int64_t mask, double dt) noexcept {
       motion_.update(posture_, mask, dt);
       if (motion_.ending()) {
         go_back();
-      } else if (!posture_.moving() && motion_.approached()) {
-        motion_.play();
+      } else if (!posture_.moving() && !posture_.waits() && motion_.approached()) {
+        if (posture_.gave_up(motion_.mask())) {
+          sentence_ = "the guard holds the robot on the way to the first frame of the motion; it is not played";
+          go_back();
+        } else {
+          motion_.play();
+        }
       }
       break;
     case MotionFollow::Stage::kPlays:
@@ -161,7 +166,7 @@ void Modes::play(const Moment& now, std::int64_t mask, double dt) noexcept {
       motion_.set_stage(MotionFollow::Stage::kLooksBack);
       break;
     case MotionFollow::Stage::kReturns:
-      if (!posture_.moving()) end_motion(now);
+      if (!posture_.moving() && !posture_.waits()) end_motion(now);
       break;
   }
 }

@@ -13,6 +13,7 @@ constexpr double kSpeedShare = 0.25, kFastest = 0.5, kFastestSlide = 0.1;  // of
 constexpr double kAhead = 0.5;                                             // [s]
 constexpr double kPeakOfMinJerk = 1.875;                                   // largest speed over mean speed, of a pose
 constexpr double kShortest = 0.2;                                          // [s]
+constexpr double kAway = 0.2, kRests = 0.02;  // of what it goes in kAhead; of its speed
 constexpr double kNear = 1e-4;                     // a wish no further than this asks for nothing [rad or m]
 constexpr std::int64_t kAgainNs = 100'000'000;     // from one pose to the next
 constexpr std::int64_t kFreshNs = 1'000'000'000;   // then a wish begins anew where the joint is
@@ -66,10 +67,18 @@ void JointTarget::move(double seconds, const RobotState& state, Mode mode) noexc
   halt_ = false;
   moved_ns_ = now_ns_;
   const double ahead = kAhead * speed();
+  if ((wanted_ - q) * seconds < 0.0) wanted_ = q;  // back again, from where it is: something may hold it far behind
   wanted_ = std::clamp(wanted_ + seconds * speed(), q - ahead, q + ahead);
   const double inside = joint().kind == JointKind::kContinuous ? wanted_ : std::clamp(wanted_, joint().lower, joint().upper);
   if (inside != wanted_) refusal_ = inside < wanted_ ? "is at its upper limit" : "is at its lower limit";
   wanted_ = inside;
+}
+
+void JointTarget::watch(const RobotState& state) noexcept {
+  const auto k = static_cast<std::size_t>(chosen_);
+  const bool away = begun_ && std::abs(asked_ - state.q[k]) > kAway * kAhead * speed();
+  const bool rests = std::abs(static_cast<double>(state.qd[k])) < kRests * speed();
+  still_ns_ = !(away && rests) ? 0 : still_ns_ != 0 ? still_ns_ : now_ns_;
 }
 
 void JointTarget::stop() noexcept {
@@ -80,6 +89,7 @@ void JointTarget::stop() noexcept {
 bool JointTarget::next(std::int64_t now_ns, const RobotState& state, Mode mode, ModeRequest& request) noexcept {
   now_ns_ = now_ns;
   if (why_not(mode) != nullptr) drop();
+  watch(state);
   const auto k = static_cast<std::size_t>(chosen_);
   const bool halt = std::exchange(halt_, false) && now_ns - asked_ns_ < kFreshNs;
   if (halt) {
@@ -103,7 +113,11 @@ std::string JointTarget::words(const RobotState& state) const {
   if (model_->bus_count() == 0) return "";
   const double q = state.q[static_cast<std::size_t>(chosen_)];
   std::string text = joint().name + formatted(" %.3f %s", q, joint().kind == JointKind::kPrismatic ? "m" : "rad");
-  if (refusal_ != nullptr) text += std::string(" ") + refusal_;
+  if (refusal_ != nullptr) {
+    text += std::string(" ") + refusal_;
+  } else if (is_held()) {
+    text += " is held";
+  }
   return text;
 }
 

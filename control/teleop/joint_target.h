@@ -31,6 +31,9 @@ class JointTarget {
   // What to ask for now, if anything; all but its addressing.  Nothing in a mode that a pose would end, which drops a wish.
   [[nodiscard]] bool next(std::int64_t now_ns, const RobotState& state, Mode mode, ModeRequest& request) noexcept;
 
+  // It was sent on and does not move: something holds it.
+  bool is_held() const noexcept { return still_ns_ != 0 && now_ns_ - still_ns_ > kHeldNs; }
+
   // Of the joint that is chosen: [rad/s or m/s].
   double speed() const noexcept;
   int chosen() const noexcept { return chosen_; }  // on the bus
@@ -38,7 +41,10 @@ class JointTarget {
   std::string words(const RobotState& state) const;
 
  private:
+  static constexpr std::int64_t kHeldNs = 500'000'000;
+
   const Joint& joint() const noexcept;
+  void watch(const RobotState& state) noexcept;
 
   const Model* model_;
   int chosen_ = 0;
@@ -47,6 +53,7 @@ class JointTarget {
   const char* refusal_ = nullptr;
   double wanted_ = 0.0, asked_ = 0.0;  // [rad or m]
   std::int64_t asked_ns_ = 0, moved_ns_ = 0, now_ns_ = 0;
+  std::int64_t still_ns_ = 0;  // since when it is away from where it was sent and rests; 0: it is not
 };
 
 }  // namespace twinbus

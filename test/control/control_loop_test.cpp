@@ -271,7 +271,7 @@ TEST(ControlLoop, AGuardHoldsArmsButNeverLegsAndOnlyWhileItSpeaks) {
   // The guard falls silent: after its time-out the arm goes on.
   ASSERT_TRUE(rig.run(model.guard_timeout - 3.0 * model.period()));
   EXPECT_EQ(rig.command().q[arm], held);
-  ASSERT_TRUE(rig.run(1.0));
+  ASSERT_TRUE(rig.run(2.0));
   EXPECT_NEAR(rig.command().q[arm], request.q[arm], 1e-6);
 }
 

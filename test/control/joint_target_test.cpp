@@ -73,6 +73,37 @@ TEST_F(JointJog, StopsAtItsLimitAndSaysSo) {
   EXPECT_EQ(target_.words(state_).find("limit"), std::string::npos);
 }
 
+// Held by something far behind where it was jogged to: the first key back leads back.
+TEST_F(JointJog, LeadsBackAtOnceFromWhereItIsHeld) {
+  q() = 0.1;
+  for (std::int64_t ms = 1000; ms < 2000; ms += 20) {
+    target_.move(0.05, state_, Mode::kPose);
+    (void)next(ms * kMs, Mode::kPose);
+  }
+  target_.move(-0.05, state_, Mode::kPose);
+  ASSERT_TRUE(next(2200 * kMs, Mode::kPose));
+  EXPECT_LT(pose_.q[at(target_.chosen())], q());
+}
+
+TEST_F(JointJog, SaysThatItIsHeldWhenItDoesNotGo) {
+  q() = 0.1;
+  std::int64_t ms = 1000;
+  for (; ms < 1400; ms += 10) {
+    target_.move(0.05, state_, Mode::kPose);
+    (void)next(ms * kMs, Mode::kPose);
+  }
+  EXPECT_FALSE(target_.is_held());
+  for (; ms < 2200; ms += 10) {
+    target_.move(0.05, state_, Mode::kPose);
+    (void)next(ms * kMs, Mode::kPose);
+  }
+  EXPECT_TRUE(target_.is_held());
+  EXPECT_NE(target_.words(state_).find("is held"), std::string::npos);
+  state_.qd[at(target_.chosen())] = 0.2F;
+  (void)next(ms * kMs, Mode::kPose);
+  EXPECT_FALSE(target_.is_held());
+}
+
 TEST_F(JointJog, StopsWhereItIsWhenLetGo) {
   q() = 0.1;
   for (int i = 0; i < 5; ++i) target_.move(0.1, state_, Mode::kHold);

@@ -56,6 +56,70 @@ TEST(Posture, JointsOutsideTheMaskStay) {
   EXPECT_EQ(posture.q(1), before);
 }
 
+// Held half way it stays with its joint, goes on when it is let go, and is given up where that happens again and again.
+TEST(Posture, AJointThatIsHeldOnItsWayWaitsThereAndGoesOnUntilItIsHeldThrice) {
+  Posture posture(test::hrp1s());
+  posture.rest({});
+  const int k = test::hrp1s().bus_count() - 1;
+  const auto i = static_cast<std::size_t>(k);
+  const std::int64_t mask = std::int64_t{1} << k;
+  PerJoint<double> q{}, held{};
+  q[i] = 0.5 * joint(k).upper;
+  posture.move(q, mask, 2.0);
+  const auto go = [&](double seconds, std::int64_t by) {
+    for (int n = 0; n < static_cast<int>(seconds / 0.002); ++n) {
+      posture.advance(0.002);
+      posture.yield(by, held, {}, 0.002);
+    }
+  };
+  for (int block = 1; block <= 3; ++block) {
+    go(0.5, 0);
+    held[i] = posture.q(k) - 0.01;  // braked behind it
+    go(1.0, mask);
+    EXPECT_EQ(posture.q(k), held[i]);
+    EXPECT_EQ(posture.qd(k), 0.0);
+    const Posture::Held told = posture.take_held();
+    EXPECT_EQ(told.waits, block < 3 ? mask : 0) << block;
+    EXPECT_EQ(told.given_up, block < 3 ? 0 : mask) << block;
+    EXPECT_EQ(posture.waits(), block < 3) << block;
+    go(0.4, 0);
+    EXPECT_EQ(posture.q(k), held[i]) << "not at once";
+    go(0.1, 0);
+    EXPECT_EQ(posture.moving(), block < 3) << block;
+  }
+  EXPECT_TRUE(posture.gave_up(mask));
+  // Held as it is, a new way leads on for a moment, so that a guard can see where to.
+  q[i] = 0.0;
+  posture.move(q, mask, 0.5);
+  go(0.04, mask);
+  EXPECT_LT(posture.q(k), held[i]);
+  go(0.1, 0);
+  EXPECT_LT(posture.q(k), held[i]);
+  go(3.0, 0);
+  EXPECT_NEAR(posture.q(k), 0.0, 1e-12);
+  EXPECT_FALSE(posture.gave_up(mask));
+}
+
+TEST(Posture, OneThatIsLetGoWhileItIsFastComesToRestFirst) {
+  Posture posture(test::hrp1s());
+  const int k = test::hrp1s().bus_count() - 1;
+  const auto i = static_cast<std::size_t>(k);
+  PerJoint<double> q{}, qd{};
+  qd[i] = 0.5 * joint(k).velocity;
+  posture.rest(q);
+  posture.yield(std::int64_t{1} << k, q, qd, 0.002);
+  EXPECT_EQ(posture.qd(k), qd[i]);
+  posture.advance(0.002);
+  posture.yield(0, q, qd, 0.002);
+  EXPECT_NEAR(posture.qd(k), qd[i], 0.05 * qd[i]);
+  for (int n = 0; n < 200; ++n) {
+    posture.advance(0.002);
+    posture.yield(0, q, qd, 0.002);
+  }
+  EXPECT_EQ(posture.qd(k), 0.0);
+  EXPECT_GT(posture.q(k), 0.0);
+}
+
 TEST(Posture, ABrakeBeginsWithTheVelocityAndEndsAtRest) {
   Posture posture(test::hrp1s());
   PerJoint<double> q{}, qd{};
