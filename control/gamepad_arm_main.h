@@ -17,7 +17,7 @@
 #include "control/teleop/teleop.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
-#include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/plan_refusal.h"
 #include "robot/collision/thing_name.h"
 #include "robot/description/hand_of.h"
 #include "robot/estimation/estimator.h"
@@ -95,6 +95,10 @@ class GamepadArm {
     const bool refused = target_.phase() == HandTarget::Phase::kRefused;
     if (refused && !refused_) sentence_ = "the hand stays: " + why_no_way();
     refused_ = refused;
+    const bool held = joint_.is_held() && asked();
+    const bool told = told_ns_ != 0 && seconds_since(told_ns_) < kAnswers;
+    if (held && !joint_held_ && !told) sentence_ = "the joint is held" + nearest();
+    joint_held_ = held;
     return std::exchange(sentence_, {});
   }
   bool walks() const { return mode_ == Mode::kWalk; }
@@ -135,27 +139,25 @@ class GamepadArm {
   std::string why_no_way() const {
     if (target_.unanswered()) return "no planner answers";
     const std::array<int, 2> pair = target_.touching();
-    const bool touches =
-        target_.refusal() == ArmPathStatus::kStartInCollision || target_.refusal() == ArmPathStatus::kGoalInCollision;
-    const std::string why = label(target_.refusal());
-    if (!touches) return why;
-    return why + ": " + thing_name(model_, {}, pair[0]).data() + " and " + thing_name(model_, {}, pair[1]).data();
+    return plan_refusal(target_.refusal(), thing_name(model_, {}, pair[0]).data(), thing_name(model_, {}, pair[1]).data(),
+                        target_.miss(), target_.oriented());
   }
   // What the controller, planner or guard tells while something is asked for.
   void hear_event(const Event& event) {
-    const bool answers = event.kind == ProcessKind::kController || event.kind == ProcessKind::kGuard;
+    // The planner's event says what is wrong with a goal that makes no sense; all else it answers on ARM_PATH.
+    const bool bad_goal = event.kind == ProcessKind::kPlanner && target_.refusal() == ArmPathStatus::kBadGoal;
+    const bool answers = event.kind == ProcessKind::kController || event.kind == ProcessKind::kGuard || bad_goal;
     if (!asked() || !answers) return;
+    told_ns_ = monotonic_ns();
     sentence_ = printable({event.text.data(), strnlen(event.text.data(), event.text.size())});
   }
-  // Once when the guard begins to hold joints.
-  void hear_guard(const GuardReport& report) {
-    const bool holds = report.hold_mask != 0 && asked();
-    if (holds && !guarded_ && report.pairs_near > 0) {
-      sentence_ = std::string("held by the guard: ") + thing_name(model_, {}, report.link_a[0]).data() + " is " +
-                  formatted("%.0f mm", 1e3 * static_cast<double>(report.distance[0])) + " from " +
-                  thing_name(model_, {}, report.link_b[0]).data();
-    }
-    guarded_ = report.hold_mask != 0;
+  void hear_guard(const GuardReport& report) { guard_ = report; }
+  // What it is nearest to, where it is near anything.
+  std::string nearest() const {
+    if (guard_.pairs_near <= 0) return "";
+    return std::string(": ") + thing_name(model_, {}, guard_.link_a[0]).data() +
+           formatted(" is %.0f mm from ", 1e3 * static_cast<double>(guard_.distance[0])) +
+           thing_name(model_, {}, guard_.link_b[0]).data();
   }
   void hear_status(const ControllerStatus& status) {
     target_.on_status(status);
@@ -171,8 +173,9 @@ class GamepadArm {
   HandTarget target_;
   JointTarget joint_;
   std::string sentence_;
-  std::int64_t asked_ns_ = 0;
-  bool joint_shown_ = false, refused_ = false, guarded_ = false;
+  std::int64_t asked_ns_ = 0, told_ns_ = 0;  // something; what others tell
+  bool joint_shown_ = false, refused_ = false, joint_held_ = false;
+  GuardReport guard_;
   bool heard_ = false, known_ = false, held_ = false, drives_ = false;
   std::int64_t other_ns_ = 0;
   Mode mode_ = Mode::kNone;

@@ -65,6 +65,8 @@ void HandTarget::on_path(const ArmPathPiece& piece) noexcept {
   refusal_ = piece.status;
   unanswered_ = false;
   touching_ = {piece.link_a, piece.link_b};
+  miss_ = static_cast<double>(piece.miss);
+  oriented_ = turned_;
   wanted_ = asked_ = reached_;
   wanted_turn_ = asked_turn_ = reached_turn_;
   turned_ = turned_ && turn_reached_;  // an arm that cannot turn its hand still moves it

@@ -40,6 +40,8 @@ class HandTarget {
   bool unanswered() const noexcept { return unanswered_; }  // the refusal is that nobody answered
   // Of a refusal because of two links: the two.
   std::array<int, 2> touching() const noexcept { return touching_; }
+  double miss() const noexcept { return miss_; }            // of one that is out of reach [m]
+  bool oriented() const noexcept { return oriented_; }      // the goal that was refused said how the hand is turned
   ArmSide side() const noexcept { return side_; }
   const Eigen::Vector3d& wanted() const noexcept { return wanted_; }
 
@@ -58,6 +60,8 @@ class HandTarget {
                   reached_ = Eigen::Vector3d::Zero();
   Eigen::Quaterniond wanted_turn_ = Eigen::Quaterniond::Identity(), asked_turn_ = wanted_turn_, reached_turn_ = wanted_turn_;
   std::array<int, 2> touching_{};
+  double miss_ = 0.0;
+  bool oriented_ = false;
   std::int64_t goal_id_ = 0, path_id_ = 0;
   std::int64_t asked_ns_ = 0, sent_ns_ = 0, idle_ns_ = 0, now_ns_ = 0;
   std::int32_t sequence_ = 0;

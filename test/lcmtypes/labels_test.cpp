@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lcmtypes/bus/field_copier.h"
+#include "lcmtypes/msg/plan_refusal.h"
 #include "lcmtypes/msg/refusal_text.h"
 
 namespace twinbus {
@@ -47,6 +48,18 @@ TEST(Labels, EveryRefusalHasASentence) {
   EXPECT_EQ(sentences.size(), static_cast<std::size_t>(Refusal::kDevice) + 1);
   EXPECT_STREQ(refusal_text(Refusal::kDevice), "the device of the target reports an error; look at its status");
   EXPECT_STREQ(refusal_text(static_cast<Refusal>(100)), "refused for a reason that this version does not know");
+}
+
+TEST(Labels, EveryPlanThatWasRefusedSaysWhyAndWhatToDo) {
+  std::set<std::string> sentences;
+  for (int i = 0; i <= static_cast<int>(ArmPathStatus::kBadGoal); ++i)
+    sentences.insert(plan_refusal(static_cast<ArmPathStatus>(i), "the hand", "obstacle 2", 0.12, false));
+  EXPECT_EQ(sentences.size(), static_cast<std::size_t>(ArmPathStatus::kBadGoal) + 1);
+  EXPECT_EQ(plan_refusal(ArmPathStatus::kOk, "", "", 0.0, false), "");
+  EXPECT_EQ(plan_refusal(ArmPathStatus::kGoalInCollision, "the hand", "obstacle 2", 0.0, false),
+            "at the goal the hand would touch obstacle 2: move the goal");
+  EXPECT_EQ(plan_refusal(ArmPathStatus::kUnreachable, "", "", 0.12, true),
+            "out of reach by 0.120 m: move the goal nearer or give up its orientation");
 }
 
 }  // namespace
