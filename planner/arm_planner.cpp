@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "planner/arm_question.h"
@@ -28,6 +29,8 @@ constexpr double kProved = 0.7;  // share of the clearance of the search that th
 constexpr double kGuarded = GuardDefaults::kInController + 5e-4;  // which is no less than this where a slower motion keeps it [m]
 constexpr double kUnit = 0.01;         // what the length of a quaternion may be off by
 constexpr double kWidestCorner = 0.4;  // [rad]
+constexpr double kMostSlower = 3.0;  // than the joints' speeds ask: then a way with more of their efforts left is looked for
+constexpr double kReserve = 0.9;     // of their efforts that may hold the arm on it
 constexpr int kMostKnots = 360;        // what 60 pieces of an arm path hold
 constexpr int kLongPatience = 5;         // times as many rounds when no way was found
 constexpr std::size_t kMostHeld = 8;     // things of which balls are kept
@@ -154,16 +157,17 @@ TimedPath ArmPlanner::timed(EdgeCheck& space, ArmLines& lines, const JointPath& 
   return {};
 }
 
-// As slow as the joints' efforts ask; no path if one cannot hold the arm on the way.
-void ArmPlanner::within_efforts(const Configuration& start, ArmPlan& plan) const {
+// As slow as the joints' efforts ask, which is given back; no path, and 0, if one cannot hold the arm on the way.
+double ArmPlanner::within_efforts(const Configuration& start, ArmPlan& plan) const {
   MotionEffort effort(*model_, start, plan.joints);
   const double slower = effort.slower(plan.path);
   if (slower > 1.0) slow_down(plan.path, slower);
-  if (slower > 0.0) return;
+  if (slower > 0.0) return slower;
   plan.path.clear();
   plan.status = ArmPathStatus::kBadGoal;
   plan.complaint = too_heavy(*model_, effort, "on the way");
   plan.heavy = ArmPlan::Heavy::kOnTheWay;
+  return 0.0;
 }
 
 void ArmPlanner::set_obstacles(const std::vector<Obstacle>& obstacles) {
@@ -248,6 +252,12 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   MotionEffort effort(*model_, start, plan.joints);
   bool held = false;     // only where the joints can hold the arm
   bool unfound = false;  // no way was found to some of the goals, too heavy ones to the others
+  double share = MotionEffort::kAll;
+  ArmPlan slow;  // found, past a posture that a joint hardly holds
+  const auto better = [&] {
+    if (slow.path.empty() || plan.status == ArmPathStatus::kCancelled) return plan;
+    return plan.status == ArmPathStatus::kOk && plan.duration() < slow.duration() ? plan : slow;
+  };
   for (;;) {
     std::vector<EndPair> ends;  // so near that a share of their room may be less than what a guard keeps
     double room = std::min(spent.clearance, space.nearest_beside(question.start, spent.clearance, kGuarded / kShare, ends));
@@ -266,7 +276,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     SearchPath goals;
     for (const JointPoint& q : question.goals) goals.push_back(to_search(q));
     const int joints = static_cast<int>(question.start.size());
-    HeldLines light(lines, effort, joints);
+    HeldLines light(lines, effort, joints, share);
     LineTest& test = held ? static_cast<LineTest&>(light) : lines;
     const SearchPoint begin = to_search(question.start);
     CertainPath way;
@@ -291,7 +301,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
         plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
         forget_weight(plan);
       }
-      return plan;
+      return better();
     }
     // The ends are what was asked for, to the last bit.
     const std::size_t goal_index = at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
@@ -326,9 +336,19 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
       if (!plan.path.empty()) plan.path.insert(plan.path.begin(), first.begin(), first.end() - 1);
     }
     plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
-    if (!plan.path.empty()) within_efforts(start, plan);
+    const double slower = plan.path.empty() ? 1.0 : within_efforts(start, plan);
     if (plan.status != ArmPathStatus::kBadGoal) forget_weight(plan);  // of another way
-    if (plan.status != ArmPathStatus::kBadGoal || (held && question.goals.size() < 2)) return plan;
+    const auto is_light = [&](const JointPoint& q) { return effort.holds(q, kReserve); };
+    if (slower > kMostSlower && slow.path.empty() && is_light(question.start) &&
+        std::any_of(all_goals.begin(), all_goals.end(), is_light)) {
+      slow = plan;
+      held = true;
+      share = kReserve;
+      question.goals.clear();
+      std::copy_if(all_goals.begin(), all_goals.end(), std::back_inserter(question.goals), is_light);
+      continue;
+    }
+    if (plan.status != ArmPathStatus::kBadGoal || (held && question.goals.size() < 2)) return better();
     question.goals.erase(question.goals.begin() + static_cast<std::ptrdiff_t>(goal_index));  // the way there is too heavy
     if (!question.goals.empty()) continue;
     held = true;

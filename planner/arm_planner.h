@@ -101,7 +101,7 @@ class ArmPlanner {
   bool too_near(class EdgeCheck& space, const JointPoint& q, CollisionPair& pair);
   TimedPath timed(class EdgeCheck& space, class ArmLines& lines, const JointPath& corners, const TimingLimits& limits,
                   int most_knots) const;
-  void within_efforts(const Configuration& start, ArmPlan& plan) const;
+  double within_efforts(const Configuration& start, ArmPlan& plan) const;
 
   const Model* model_;
   ArmPlannerConfig config_;

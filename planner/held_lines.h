@@ -13,7 +13,9 @@ namespace twinbus {
 class HeldLines : public LineTest {
  public:
   // All must outlive this.
-  HeldLines(ArmLines& lines, MotionEffort& effort, int joints) : lines_(&lines), effort_(&effort), joints_(joints) {}
+  // share: of their efforts that the joints may need to hold the arm.
+  HeldLines(ArmLines& lines, MotionEffort& effort, int joints, double share)
+      : lines_(&lines), effort_(&effort), joints_(joints), share_(share) {}
 
   bool free(const SearchPoint& from, const SearchPoint& step, float length) override {
     constexpr float kApart = 0.1F;  // [rad or m]
@@ -22,7 +24,7 @@ class HeldLines : public LineTest {
     for (int i = 0; i <= parts; ++i) {
       const float share = static_cast<float>(i) / static_cast<float>(parts);
       for (std::size_t j = 0; j < there.size(); ++j) there[j] = from[j] + share * step[j];
-      if (!effort_->holds(from_search(there, joints_))) return false;
+      if (!effort_->holds(from_search(there, joints_), share_)) return false;
     }
     return lines_->free(from, step, length);
   }
@@ -31,6 +33,7 @@ class HeldLines : public LineTest {
   ArmLines* lines_;
   MotionEffort* effort_;
   int joints_;
+  double share_;
 };
 
 }  // namespace twinbus

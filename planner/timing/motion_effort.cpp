@@ -7,11 +7,6 @@
 
 namespace twinbus {
 
-namespace {
-constexpr double kShareOfEffort =
-    0.995;  // of a limit, at knots: between them the effort strays a little
-}
-
 MotionEffort::MotionEffort(const Model& model, const Configuration& posture,
                            const std::vector<int>& joints)
     : model_(&model),
@@ -41,10 +36,10 @@ void MotionEffort::efforts(const JointPoint& q, const JointPoint& qd, const Join
                   tau);
 }
 
-bool MotionEffort::holds(const JointPoint& q) {
+bool MotionEffort::holds(const JointPoint& q, double share) {
   for (int k = 0; k < q.size(); ++k) there_.q[joints_[at(k)]] = q[k];
   const GravityLoad::Worst worst = load_.of(there_, joints_);
-  if (worst.joint < 0 || worst.share < kShareOfEffort) return true;
+  if (worst.joint < 0 || worst.share < share) return true;
   weak_joint_ = worst.joint;
   return false;
 }
@@ -62,12 +57,12 @@ double MotionEffort::slower(const TimedPath& path) {
       const double limit = model_->joints[at(joint)].effort;
       if (!(limit > 0.0)) continue;  // the file has none
       largest_ = std::max(largest_, std::abs(moving_[joint]) / limit);
-      beyond = beyond || !(std::abs(moving_[joint]) <= kShareOfEffort * limit);
+      beyond = beyond || !(std::abs(moving_[joint]) <= kAll * limit);
     }
     if (!beyond) continue;
     efforts(q, rest, rest, still_);
     for (const int joint : joints_) {
-      const double limit = kShareOfEffort * model_->joints[at(joint)].effort;
+      const double limit = kAll * model_->joints[at(joint)].effort;
       if (!(limit > 0.0)) continue;
       const double hold = still_[joint], move = moving_[joint] - hold;
       if (!(std::abs(hold) < limit)) {

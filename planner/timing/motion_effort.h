@@ -25,8 +25,10 @@ class MotionEffort {
   // cannot even do that; see weak_joint.
   double slower(const TimedPath& path);
 
-  // Can every joint hold the arm there?  If not, weak_joint is the one that needs most of its limit.
-  bool holds(const JointPoint& q);
+  // Can every joint hold the arm there?  If not, weak_joint is the one that needs most of its limit.  share: of the limits that may
+  // be used; a joint that has less left moves slowly.
+  static constexpr double kAll = 0.995;  // at knots: between them the effort strays a little
+  bool holds(const JointPoint& q, double share = kAll);
 
   int weak_joint() const { return weak_joint_; }  // model index
   double largest() const { return largest_; }     // |effort| / limit of the path last given
