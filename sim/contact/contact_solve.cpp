@@ -12,7 +12,11 @@ namespace twinbus {
 namespace {
 
 constexpr int kMostNewton = 20;
+constexpr int kMostFolds = 2;          // beyond the first: what needs more is Newton's
 constexpr double kStageOne = 1e-9;  // of 1 N + all forces: stage 1 agrees with the law
+// Not folded in: what moves on both sides, and a light body that is about to land, whose mass a wrong one would drown in rounding.
+bool left_out(const Contact& c) noexcept { return c.other_system >= 0 || (c.system > 0 && !(c.depth > 0.0)); }
+
 // Blocks that elimination may fill, for each touched link.
 constexpr std::size_t kMostFill = 64;
 // Bodies across a pile of which all couplings find room in the matrix, three times.
@@ -77,16 +81,17 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
     if (link >= 0) systems_[at(system)]->add_forces(link, forces);
     forces = PointForces{};
   };
-  // A light body that is about to land: what is folded in wrongly drowns its mass in rounding.
-  const auto alone = [](const Contact& c) { return c.other_system >= 0 || (c.system > 0 && !(c.depth > 0.0)); };
+  bends_ = false;
+  folds_ = 0;
   // All first: what has just been written in ones and is read in twos waits for the memory.
   for (Contact& c : contacts) {
-    if (alone(c)) continue;
+    if (left_out(c)) continue;
     c.v = c.v0;
     find_force(c, h, true, 0.0);
+    bends_ = bends_ || c.params.ramp >= kEndlessRamp;
   }
   for (Contact& c : contacts) {
-    if (alone(c)) {
+    if (left_out(c)) {
       c.f0.setZero();
       c.g0.setZero();
       continue;
@@ -106,6 +111,33 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
     forces.add(c.r, c.f0, h * c.g0);
   }
   fold_in();
+}
+
+bool ContactSolve::refold(Contacts& contacts, double h) noexcept {
+  if (!bends_ || folds_ == kMostFolds) return false;
+  const PartScope part("contacts, solved");
+  double total = 1.0, mismatch = 0.0;  // that squared
+  for (Contact& c : contacts) {
+    if (left_out(c) || turns(c) || c.now.mode == ContactMode::kSlip) return false;
+    const ContactMode folded = c.now.mode;
+    c.v = c.v0 + h * at_point(systems_[at(c.system)]->acceleration(c.link), c.r);
+    find_force(c, h, true, 0.0);
+    if (c.now.mode != folded) return false;
+    total += c.now.force.norm();
+    mismatch = std::max(mismatch, (c.now.force - (c.f0 - c.g0 * (c.v - c.v0))).squaredNorm());
+  }
+  if (std::sqrt(mismatch) <= kStageOne * total) return false;
+  ++folds_;
+  for (Contact& c : contacts) {
+    if (c.now.mode == ContactMode::kOpen) continue;
+    const Eigen::Vector3d f0 = c.now.force + c.now.tangent * (c.v - c.v0);
+    PointForces more;  // than what is folded in
+    more.add(c.r, f0 - c.f0, h * (c.now.tangent - c.g0));
+    systems_[at(c.system)]->add_forces(c.link, more);
+    c.f0 = f0;
+    c.g0 = c.now.tangent;
+  }
+  return true;
 }
 
 void ContactSolve::solve(Contacts& contacts, double h) noexcept {

@@ -93,6 +93,9 @@ class ContactSolve {
 
   // Before inward().
   void fold(std::vector<Contact>& contacts, double h) noexcept;
+  // After inward() and outward(), which are to follow again if true: the law bends with the speed, nothing came to touch, slip or let
+  // go, and what is folded in is that of the speeds found.  Cheaper than solve(), which alone is right where this says false.
+  bool refold(std::vector<Contact>& contacts, double h) noexcept;
   // After inward() and outward(); applies what is missing and runs outward() again if need be.
   void solve(std::vector<Contact>& contacts, double h) noexcept;
   // From now on a solve is given up, its contacts not settled, where what did not touch the fixed world comes to touch it,
@@ -171,6 +174,8 @@ class ContactSolve {
   int member_count_ = 0;
 
   bool hurries_ = false, gave_up_ = false;
+  bool bends_ = false;             // a law folded in is no straight line of the speed
+  int folds_ = 0;                  // again, in this step
   bool tied_ = false;              // there is a tie among the contacts
   int n_ = 0;                      // 6 per slot
   std::vector<int> slot_of_link_;  // -1: not touched

@@ -357,9 +357,11 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
   for (int pass = 0;; ++pass) {
     for (std::size_t j = 0; j < joints_.size(); ++j) rows_[j] = joints_[j].row();
     ++solves_;
-    if (!body_.inward(rows_, h) || !loose_.inward(h)) return false;
-    body_.outward();
-    loose_.outward();
+    do {
+      if (!body_.inward(rows_, h) || !loose_.inward(h)) return false;
+      body_.outward();
+      loose_.outward();
+    } while (solve_.refold(contacts_, h));
     const long before = solve_.counters().unconverged;
     solve_.solve(contacts_, h);
     converged_ = solve_.counters().unconverged == before && !solve_.gave_up();

@@ -96,6 +96,23 @@ TEST_F(Humanoid, OneStepStandingIsOnePassAndAllocatesNothing) {
   EXPECT_EQ(world.joint_passes(), 0);
 }
 
+// Their law bends with the speed: a stand that is shoved is folded in again, not solved by Newton.
+TEST_F(Humanoid, ShovedOnHuntAndCrossleysGroundItNeedsHardlyAnIteration) {
+  for (const ContactModel law : {ContactModel::kHuntCrossley, ContactModel::kPatch}) {
+    WorldConfig config;
+    config.contact = law;
+    ArticulatedWorld world(model, config);
+    Standing start = standing(world);
+    start.configuration.base_velocity = {0.05, 0.02, 0.0};
+    ASSERT_EQ(world.set(start.configuration, &start.tau), Status::kOk);
+    hold(world, start.tau);
+    const NoAlloc guard;
+    for (int i = 0; i < 400; ++i) ASSERT_EQ(world.step(), Status::kOk);
+    EXPECT_EQ(guard.count(), 0);
+    EXPECT_LT(world.counters().newton, world.counters().steps / 10) << kContactNames[static_cast<int>(law)];
+  }
+}
+
 TEST_F(Humanoid, ThrownItEndsOnTheGround) {
   ArticulatedWorld world(model, {});
   ASSERT_EQ(world.set(thrown()), Status::kOk);
