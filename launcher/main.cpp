@@ -37,6 +37,7 @@ constexpr Command kCommands[] = {
     {"walk", "walk at a velocity, or footsteps of a file", &walk_command},
     {"motion", "check a recorded motion before it plays, and play it", &motion_file_command},
     {"reach", "bring a hand to a point around obstacles", &reach_command},
+    {"grip", "open and close the fingers of a hand", &grip_command},
     {"attach", "tell planner and guard what a hand holds", &attach_command},
     {"release", "tell them that a hand is empty", &release_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},

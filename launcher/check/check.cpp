@@ -24,6 +24,7 @@
 #include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
+#include "robot/description/robot_yaml.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/mjcf/mujoco_config.h"
@@ -144,6 +145,17 @@ json report(const Model& model, const Extent& extent) {
   return out;
 }
 
+void print_gripper(const Model& model, int side) {
+  const Gripper gripper = grippers_of(model)[at(side)];
+  if (gripper.joints.empty()) return;
+  std::printf("%s gripper:", side == 0 ? "left" : "right");
+  for (std::size_t i = 0; i < gripper.joints.size(); ++i) {
+    std::printf("%s %s %.3f closed, %.3f open", i == 0 ? "" : ",", model.joints[at(gripper.joints[i])].name.c_str(),
+                gripper.closed[i], gripper.open[i]);
+  }
+  std::printf("\n");
+}
+
 // Where it stands, what it reaches with and what it feels.
 void print_limbs(const Model& model) {
   for (const int side : {0, 1}) {
@@ -158,6 +170,7 @@ void print_limbs(const Model& model) {
     if (hand.link >= 0) {
       std::printf("%s hand on %s: arm of %zu joints\n", name,
                   model.links[at(hand.link)].name.c_str(), hand.joints.size());
+      print_gripper(model, side);
     }
   }
   if (!model.yaml_text.empty() && stands_on_points(model)) {

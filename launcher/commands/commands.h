@@ -34,6 +34,7 @@ int sway_command(const std::vector<std::string>& words);
 int squat_command(const std::vector<std::string>& words);
 int walk_command(const std::vector<std::string>& words);
 int reach_command(const std::vector<std::string>& words);
+int grip_command(const std::vector<std::string>& words);
 int attach_command(const std::vector<std::string>& words);
 int release_command(const std::vector<std::string>& words);
 int status_command(const std::vector<std::string>& words);

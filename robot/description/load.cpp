@@ -102,6 +102,7 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   for (const std::string& joint : yaml.leg_joints) {
     model.leg_joints.push_back(need_joint(model, joint, file + ": leg_joints"));
   }
+  (void)grippers_of(yaml, model);  // who uses them reads them again
   apply_servos(yaml, model);
   for (const Loop& loop : yaml.loops) {
     for (const std::string& name : {loop.link, loop.to}) {

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "common/math/index.h"
 #include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/guard_defaults.h"
 
 namespace twinbus {
@@ -15,6 +18,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const char* const kSides[2] = {"left", "right"};
 constexpr double kLeastMargin = 0.001;  // [m]
+constexpr double kRounded = 1e-6;       // a finger's place may be off its limit by so much [rad or m]
 
 }  // namespace
 
@@ -79,6 +83,15 @@ NearPairEntry read_near_pair(const ConfigNode& node) {
 
 ToolEntry read_tool(const ConfigNode& node, const std::string& name) {
   ToolEntry entry{.name = name, .frame = node.text("frame"), .offset = read_offset(node), .where = node.where("frame")};
+  node.finish();
+  return entry;
+}
+
+GripperEntry read_gripper(std::size_t side, const ConfigNode& node) {
+  GripperEntry entry{.side = side, .joints = node.texts("joints"), .open{}, .closed{}, .node = node};
+  if (entry.joints.empty()) node.fail("joints", "must name at least one joint");
+  entry.open = node.numbers("open", entry.joints.size());
+  entry.closed = node.numbers("closed", entry.joints.size());
   node.finish();
   return entry;
 }
@@ -164,6 +177,13 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     const ConfigNode tools = top.map("tools");
     for (const std::string& name : tools.keys()) yaml.tools.push_back(read_tool(tools.map(name), name));
   }
+  if (top.has("grippers")) {
+    const ConfigNode grippers = top.map("grippers");
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (grippers.has(kSides[side])) yaml.grippers.push_back(read_gripper(side, grippers.map(kSides[side])));
+    }
+    grippers.finish();
+  }
   if (top.has("mujoco")) yaml.mujoco = top.map("mujoco");
   yaml.leg_joints = top.texts("leg_joints");
   for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
@@ -174,6 +194,33 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
 RobotYaml robot_yaml_of(const Model& model) {
   return model.yaml_text.empty() ? RobotYaml{} : parse_robot_yaml(model.yaml_text, model.folder + "/robot.yaml");
 }
+
+std::array<Gripper, 2> grippers_of(const RobotYaml& yaml, const Model& model) {
+  std::array<Gripper, 2> grippers;
+  for (const GripperEntry& entry : yaml.grippers) {
+    Gripper& gripper = grippers[entry.side];
+    gripper.open = entry.open;
+    gripper.closed = entry.closed;
+    if (model.hands[entry.side].link < 0) entry.node.fail("joints", "are of a hand that is not under `hands`");
+    for (std::size_t i = 0; i < entry.joints.size(); ++i) {
+      const std::string& name = entry.joints[i];
+      const int j = model.find_joint(name);
+      if (j < 0) entry.node.fail("joints", "there is no moving joint '" + name + "'" + suggestion(name, model.joints));
+      if (model.bus_index[at(j)] < 0) entry.node.fail("joints", name + " follows another joint: name that one");
+      if (std::count(gripper.joints.begin(), gripper.joints.end(), j) != 0) entry.node.fail("joints", "names " + name + " twice");
+      const Joint& joint = model.joints[at(j)];
+      for (const auto& [key, place] : {std::pair<const char*, double&>{"open", gripper.open[i]}, {"closed", gripper.closed[i]}}) {
+        if (!(place >= joint.lower - kRounded && place <= joint.upper + kRounded))
+          entry.node.fail(key, name + formatted(" at %.6g is outside its limits, %.6g to %.6g", place, joint.lower, joint.upper));
+        place = std::clamp(place, joint.lower, joint.upper);
+      }
+      gripper.joints.push_back(j);
+    }
+  }
+  return grippers;
+}
+
+std::array<Gripper, 2> grippers_of(const Model& model) { return grippers_of(robot_yaml_of(model), model); }
 
 const Frame& frame_called(const Model& model, const std::string& name, const std::string& where) {
   const auto found = std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& f) { return f.name == name; });

@@ -51,6 +51,14 @@ struct ToolEntry {
   std::string where;
 };
 
+// Fingers of a hand: robot/hand/grippers.h.
+struct GripperEntry {
+  std::size_t side = 0;
+  std::vector<std::string> joints;
+  std::vector<double> open, closed;  // [rad or m]
+  ConfigNode node;
+};
+
 struct RobotYaml {
   std::string urdf, srdf;  // file names in the robot's folder; srdf may be empty
   std::vector<std::pair<std::string, std::string>> packages;
@@ -67,6 +75,7 @@ struct RobotYaml {
   std::vector<Loop> loops;
   std::vector<NearPairEntry> near_pairs;
   std::vector<ToolEntry> tools;
+  std::vector<GripperEntry> grippers;
   std::optional<ConfigNode> mujoco;  // read by robot/mjcf/mujoco_config.h
   Model timing;  // period, timeouts, blend and off action only
 };
@@ -75,6 +84,16 @@ struct RobotYaml {
 RobotYaml parse_robot_yaml(const std::string& text, const std::string& file);
 // Of a loaded robot; of one without that file everything is as it is when nothing is said.
 RobotYaml robot_yaml_of(const Model& model);
+
+// Fingers of a hand that open and close together.
+struct Gripper {
+  std::vector<int> joints;           // of the model, each on the bus; none: no gripper
+  std::vector<double> open, closed;  // [rad or m]
+};
+
+// Left, right; of a model whose hands are known.  load_robot has asked for both.  Throws std::runtime_error naming file, line and key.
+std::array<Gripper, 2> grippers_of(const RobotYaml& yaml, const Model& model);
+std::array<Gripper, 2> grippers_of(const Model& model);
 
 // `at` and `rpy` of a node: a place in the link that its `frame` names.
 Eigen::Isometry3d read_offset(const ConfigNode& node);

@@ -11,6 +11,7 @@
 #include "common/math/index.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/finger_groups.h"
 #include "robot/onboarding/point_legged.h"
 #include "robot/onboarding/known_srdf.h"
 #include "robot/onboarding/rest_pairs.h"
@@ -94,6 +95,7 @@ class Writer {
         if (hand.link > 0 && j + 1 != hand.link && above(hand.link, j + 1)) fingers_.push_back(j);
       }
     }
+    keep_grippers();
     take_trained();
     posture_ = neutral_posture(model_);
     choose_posture();
@@ -130,6 +132,7 @@ class Writer {
     out += "period: 0.002  # [s]\noff: damp\n\nimu: " + (source.imu.empty() ? anatomy_.imu_frame : source.imu) + "\n";
     soles(out);
     hands(out);
+    out += gripper_yaml(groups_, model_);
     if (!anatomy_.leg_joints.empty())
       out += "\nleg_joints: " + list(names_of(anatomy_.leg_joints)) + "\n";
     near_pairs(out);
@@ -166,6 +169,7 @@ class Writer {
       out += "  <disable_collisions link1=\"" + xml_escaped(a) + "\" link2=\"" + xml_escaped(b) +
              "\" reason=\"said by " + xml_escaped(source_.srdf_origin) + "\"/>\n";
     }
+    for (const RestPair& pair : hand_pairs_) out += disabled(model_, pair);
     disabled_ = pairs_.size();
     for (const RestPair& pair : pairs_) out += disabled(model_, pair);
     return out + "</robot>\n";
@@ -207,6 +211,22 @@ class Writer {
     const std::string& name = model_.joints[at(joint)].name;
     return model_.joints[at(joint)].rotor_inertia > 0.0 ||
            std::any_of(known_.rotors.begin(), known_.rotors.end(), [&](const SrdfRotor& rotor) { return rotor.joint == name; });
+  }
+
+  // The fingers of an arm move as one group; what is of one hand may touch.
+  void keep_grippers() {
+    if (has_soles() || points_ || floating()) return;
+    groups_ = finger_groups(model_, anatomy_);
+    for (const FingerGroup& group : groups_) {
+      const auto& links = group.links;
+      std::erase_if(fingers_, [&](int j) { return std::find(links.begin(), links.end(), j + 1) != links.end(); });
+      for (const std::array<int, 2>& pair : pairs_within(group, model_)) {
+        model_.disabled_pairs.push_back(pair);
+        hand_pairs_.push_back({pair[0], pair[1], "of one hand"});
+      }
+    }
+    if (!hand_pairs_.empty())
+      doubts_.emplace_back("fingers are kept as grippers: look in robot.yaml whether open and closed are what they are called");
   }
 
   // What no file of the robot says of its gears and the specification of a policy does.
@@ -396,6 +416,10 @@ class Writer {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
       kd = (joint.rotor_inertia > 0.0 ? kLegDamping : kLightDamping) * kp;
     }
+    if (const std::optional<FingerServo> finger = finger_servo(groups_, model_, j)) {
+      kp = std::max(finger->kp, joint.friction / kStuck);
+      kd = 1.4 * std::sqrt(kp * finger->inertia);
+    }
     std::string remark;
     const auto trained = trained_.find(j);
     const std::string more = trained == trained_.end() ? "" : trained->second;
@@ -419,7 +443,9 @@ class Writer {
   std::optional<PointLegs> points_;
   std::vector<std::string> doubts_;
   Eigen::VectorXd posture_;
-  std::vector<int> fingers_;  // joints behind the hands
+  std::vector<int> fingers_;  // joints behind the hands that are to be fixed
+  FingerGroups groups_;  // and those that are not
+  std::vector<RestPair> hand_pairs_;   // of hands with such
   std::vector<RestPair> pairs_;  // left out
   std::map<int, std::string> trained_;  // of joints: further keys of their servos
   std::size_t disabled_ = 0;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """An arm that nobody has described: proposed, held, jogged by the keyboard (a joint, the hand, its turn), sent to places in other
-frames and with a tool.  The arm is made here."""
+frames and with a tool, its fingers opened and closed.  The arm is made here."""
 
 import math
 import pathlib
@@ -23,13 +23,13 @@ def link(name, size, z, mass):
             f"<box size='{x} {y} {h}'/></geometry></collision></link>")
 
 
-def joint(name, kind, parent, child, xyz, axis, limit):
+def joint(name, kind, parent, child, xyz, axis, limit, more=""):
     return (f"<joint name='{name}' type='{kind}'><origin xyz='{xyz}'/><parent link='{parent}'/><child link='{child}'/><axis xyz='{axis}'/>"
-            f"{limit}</joint>")
+            f"{limit}{more}</joint>")
 
 
 def arm():
-    """Six joints, a flange that carries nothing, two jaws that do not move."""
+    """Six joints, a flange that carries nothing, two jaws of which one follows the other."""
     turn = "<limit lower='-2.6' upper='2.6' effort='90' velocity='2'/>"
     rows = [("turntable", "0 0 1", 0.12, (0.08, 0.08, 0.06), 0.03, 2.0), ("shoulder", "0 1 0", 0.10, (0.06, 0.06, 0.24), 0.14, 2.0),
             ("elbow", "0 1 0", 0.30, (0.05, 0.05, 0.08), 0.06, 1.0), ("forearm", "0 0 1", 0.13, (0.05, 0.05, 0.06), 0.05, 0.6),
@@ -39,9 +39,10 @@ def arm():
         text += link(name + "_part", size, middle, mass) + joint(name, "revolute", above, name + "_part", f"0 0 {z}", axis, turn)
         above = name + "_part"
     text += "<link name='flange'/>" + joint("to_flange", "fixed", above, "flange", "0 0 0.04", "0 0 1", "")
-    for side, sign in (("left", 1), ("right", -1)):
+    slide = "<limit lower='0' upper='0.04' effort='20' velocity='0.2'/>"
+    for side, sign, more in (("left", 1, ""), ("right", -1, "<mimic joint='finger_left'/>")):
         text += link(f"jaw_{side}", (0.02, 0.01, 0.06), 0.03, 0.05)
-        text += joint(f"finger_{side}", "fixed", above, f"jaw_{side}", f"0 {0.006 * sign} 0.045", f"0 {sign} 0", "")
+        text += joint(f"finger_{side}", "prismatic", above, f"jaw_{side}", f"0 {0.006 * sign} 0.045", f"0 {sign} 0", slide, more)
     return text + "</robot>"
 
 
@@ -81,8 +82,13 @@ def jogs_a_joint(checks, bus, keys):
         keys.press("+")
     time.sleep(1.0)
     keys.read(0.3)
-    why = "is at its upper limit" in keys.text or "would touch" in keys.text or "the joint is held" in keys.text
+    why = "is at its upper limit" in keys.text or "would touch" in keys.text or "is held" in keys.text
     checks.that(why, f"held on, it stops and says why: {keys.text[-300:]}")
+    there = joint_of(bus, 2)
+    for _ in range(20):
+        keys.press("-")
+    time.sleep(1.5)
+    checks.at_least(there - joint_of(bus, 2), 0.1, "and moves back again [rad]")
     touched = [g for _, g in bus.messages("GUARD", begin) if g.verdict == 3]
     checks.that(not touched, f"nothing touched in {len(touched)} ticks")
 
@@ -120,16 +126,31 @@ def reaches(checks, robot):
                         (("right", "0.35", "0.0", "0.35", "--frame", "base"), "in base, "),
                         (("right", "0.35", "-0.1", "0.35", "--frame", "world"), "in world, "),
                         (("right", "0.30", "0.05", "0.30", "0", "2.6", "0", "--tool", "0,0,0.1"), "tool at 0.30"),
-                        (("right", "0.32", "0.05", "0.30", "--tool", "flange"), "tool at 0.32")):
+                        (("right", "0.32", "0.05", "0.30", "--tool", "flange"), "tool at 0.32"),
+                        (("right", "0.32", "0.0", "0.30", "--tool", "pen"), "tool at 0.32")):
         status, out, err = cli("reach", *words, *where, timeout=60)
         checks.that(status == 0 and said in out, f"reach {' '.join(words)}: {out}{err}")
     for words, why in ((("right", "0.3", "0", "0.3", "--frame", "bse"), "none of ground, base and world"),
                        (("right", "0.3", "0", "0.3", "--tool", "0,nan,0"), "is not X,Y,Z"),
-                       (("right", "0.3", "0", "0.3", "--tool", "elbow_part"), "a joint is between"),
+                       (("right", "0.3", "0", "0.3", "--tool", "jaw_left"), "a joint is between"),
                        (("right", "nan", "0", "0.3", "--frame", "base"), "X"),
                        (("right", "900", "0", "0.3", "--frame", "world"), "more than 10 m")):
         status, out, err = cli("reach", *words, *where)
         checks.that(status != 0 and why in err and len(err.strip().splitlines()) == 1, f"reach {' '.join(words)} is refused: {out}{err}")
+
+
+def grips(checks, bus, robot):
+    jaw = 6
+    for word, place in (("open", 0.04), ("close", 0.0), ("0.5", 0.02)):
+        status, out, err = cli("grip", word, "--robot", robot)
+        checks.that(status == 0 and "of the opening" in out, f"grip {word}: {out}{err}")
+        time.sleep(0.3)
+        checks.at_most(abs(joint_of(bus, jaw) - place), 0.001, f"grip {word}: the jaw is there [m]")
+    for words, why in ((("nan",), "open, close, or a number"), (("2",), "open, close, or a number"), (("open", "--side", "up"), "left or right")):
+        status, _, err = cli("grip", *words, "--robot", robot)
+        checks.that(status != 0 and why in err, f"grip {' '.join(words)} is refused: {err}")
+    status, _, err = cli("grip", "open", "--robot", "hrp1s")
+    checks.that(status != 0 and "has no gripper" in err, f"a robot without one: {err}")
 
 
 def main():
@@ -140,7 +161,9 @@ def main():
         urdf, robot = pathlib.Path(scratch) / "made_arm.urdf", pathlib.Path(scratch) / "robot"
         urdf.write_text(arm())
         status, out, err = cli("check", urdf, "--propose", robot, timeout=120)
-        checks.that(status == 0 and "right hand on wrist_turn_part" in out, f"proposed: {out[-800:]}{err}")
+        checks.that(status == 0 and "right gripper: finger_left 0.000 closed, 0.040 open" in out, f"proposed: {out[-800:]}{err}")
+        with open(robot / "robot.yaml", "a", encoding="utf-8") as file:
+            file.write("\ntools:\n  pen: {frame: flange, at: [0, 0, 0.05]}\n")
         for scene in ("arm", "arm_reach"):
             status, out, err = cli("run", scene, "--robot", robot, timeout=120)
             checks.that(status == 0 and "passed" in out, f"run {scene}: {out[-500:]}{err}")
@@ -156,6 +179,7 @@ def main():
             keys.press("q")
             keys.close()
             reaches(checks, robot)
+            grips(checks, bus, robot)
             bus.close()
     checks.exit()
 

@@ -1,0 +1,146 @@
+// `./twinbus grip`: opens and closes the fingers of a hand as one.
+
+#include "launcher/commands/commands.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/process/arguments.h"
+#include "common/process/command_word.h"
+#include "common/process/process.h"
+#include "common/text/xml.h"
+#include "launcher/operate/operate.h"
+#include "robot/description/hand_of.h"
+#include "robot/description/load.h"
+#include "robot/hand/grippers.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kBegins = 0.3;     // a controller looks along the way for so long before it moves [s]
+constexpr double kLongest = 20.0;   // [s]
+constexpr double kStill = 0.5;      // fingers that have not moved for so long have come to rest [s]
+constexpr double kMoved = 0.005, kThere = 0.03;  // of the way from closed to open
+
+using Grippers = std::vector<Gripper>;
+
+// Those that are meant; throws when there is none.
+Grippers grippers_asked_for(const Arguments& arguments, const Model& model) {
+  std::array<Gripper, 2> grippers = grippers_of(model);
+  const std::string side = arguments.text("--side", "");
+  if (!side.empty()) {
+    if (side != "left" && side != "right") throw UsageError("grip: --side is left or right, not " + side);
+    const Hand* hand = hand_of(model, side == "left" ? 0 : 1);
+    grippers[hand == &model.hands[0] ? 1 : 0] = {};
+  }
+  Grippers meant;
+  for (const Gripper& gripper : grippers) {
+    if (!gripper.joints.empty()) meant.push_back(gripper);
+  }
+  if (meant.empty())
+    throw std::runtime_error(model.name + " has no " + (side.empty() ? "" : side + " ") + "gripper (robot.yaml, grippers)");
+  return meant;
+}
+
+double share_from(const std::string& word) {
+  if (word == "open") return 1.0;
+  if (word == "close") return 0.0;
+  double share = 0.0;
+  if (!parse_numbers(word, &share, 1) || !(share >= 0.0 && share <= 1.0))
+    throw UsageError("grip: open, close, or a number from 0 (closed) to 1 (open), not '" + word + "'");
+  return share;
+}
+
+// Where the fingers are, 0 closed, 1 open: the mean of those that open.
+double share_of(const Gripper& gripper, const Model& model, const RobotState& state) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < gripper.joints.size(); ++i) {
+    const double way = gripper.open[i] - gripper.closed[i];
+    if (way == 0.0) continue;
+    const auto k = static_cast<std::size_t>(model.bus_index[static_cast<std::size_t>(gripper.joints[i])]);
+    sum += (state.q[k] - gripper.closed[i]) / way;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+double mean_share(const Grippers& grippers, const Model& model, const RobotState& state) {
+  double sum = 0.0;
+  for (const Gripper& gripper : grippers) sum += share_of(gripper, model, state);
+  return sum / static_cast<double>(grippers.size());
+}
+
+// Until the fingers are there or go no further.
+double wait_for_fingers(BusLink& bus, const Grippers& grippers, const Model& model, double wanted) {
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t moved_ns = begin;
+  double last = mean_share(grippers, model, bus.seen().newest_state());
+  while (!quit_requested() && seconds_since(begin) < kLongest) {
+    bus.listen(0.05);
+    const double now = mean_share(grippers, model, bus.seen().newest_state());
+    if (std::abs(now - last) > kMoved) {
+      last = now;
+      moved_ns = monotonic_ns();
+    }
+    if (std::abs(now - wanted) < kMoved || seconds_since(moved_ns) > kStill) return now;
+  }
+  return last;
+}
+
+}  // namespace
+
+int grip_command(const std::vector<std::string>& words) {
+  const Arguments arguments({"grip", 1, 1, R"(open|close|SHARE
+Opens or closes the fingers of a hand as one, or so far: 0 is closed, 1 open (robot.yaml, grippers).  They move no faster than \
+a pose, and stop at what they grip; an arm that is on its way stops.
+  --side S  left or right; default all
+  --robot
+  --duration S  seconds; default 0.5
+  --prefix --url --allow)"}, words);
+  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Grippers grippers = grippers_asked_for(arguments, model);
+  const double wanted = share_from(arguments.word(0));
+  ModeRequest request;
+  request.mode = Mode::kPose;
+  request.duration = static_cast<float>(arguments.number("--duration", 0.5, 0.1, 60.0));
+  for (const Gripper& gripper : grippers) {
+    const std::vector<double> q = opened(gripper, wanted);
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const int k = model.bus_index[static_cast<std::size_t>(gripper.joints[i])];
+      request.q[static_cast<std::size_t>(k)] = q[i];
+      request.joint_mask |= std::int64_t{1} << k;
+    }
+  }
+  BusLink bus = open_bus(arguments);
+  (void)active_source(bus);
+  if (bus.seen().newest_state().model_hash != model.hash)
+    throw std::runtime_error("the robot on the bus is not " + model.name + "; give its folder with --robot");
+  (void)bus.seen().take_events();  // of before
+  const double before = mean_share(grippers, model, bus.seen().newest_state());
+  (void)ask_controller(bus, request);
+  bus.listen(kBegins);
+  const double at = wait_for_fingers(bus, grippers, model, wanted);
+  if (std::abs(at - wanted) <= kThere) {
+    print_typed(stdout, "grip: at %.2f of the opening\n", at);
+    return 0;
+  }
+  const bool closes = wanted < before, moved = std::abs(at - before) > kMoved;
+  if (closes && moved) {
+    print_typed(stdout, "grip: something is between the fingers at %.2f of the opening\n", at);
+    return 0;
+  }
+  print_typed(stderr, "grip: the fingers stay at %.2f of the opening: %s\n", at,
+              bus.seen().controller().mode == Mode::kPose && bus.seen().controller().mode_sequence == request.sequence && moved
+                  ? "a joint is held or blocked (./twinbus status)"
+                  : why_it_stays(bus, request).c_str());
+  return 1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,42 @@
+// Fingers of an arm that can stay joints: which they are, and where they are open and closed.
+//
+// An arm on a fixed base keeps them as one group a hand; a robot that stands has its fingers fixed where nobody says otherwise.
+
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/description/model.h"
+#include "robot/onboarding/anatomy.h"
+
+namespace twinbus {
+
+struct FingerGroup {
+  std::vector<int> joints;           // of the model; none: the hand has no such fingers
+  std::vector<int> links;            // the hand's and all that hang on it
+  std::vector<double> open, closed;  // [rad or m], for each joint
+};
+
+using FingerGroups = std::array<FingerGroup, 2>;  // of the left and the right hand
+
+// Joints behind a hand that have limits, effort and speed; all of a hand, or none when one has not, or they are heavier than the
+// arm, or the bus would carry too many.  Closed is where the fingers are nearest to one another, or a single one to its hand.
+FingerGroups finger_groups(const Model& model, const Anatomy& anatomy);
+
+// Links of the group that the model does not exempt from touching each other yet, the smaller index first.
+std::vector<std::array<int, 2>> pairs_within(const FingerGroup& group, const Model& model);
+
+// The map `grippers` of robot.yaml (robot/hand/grippers.h); empty when there is none.
+std::string gripper_yaml(const FingerGroups& groups, const Model& model);
+
+// How stiff a finger is that grips with all its effort within a share of its range [N m/rad or N/m], and what it moves with those
+// that follow it [kg m^2 or kg]; empty of joints of no group.
+struct FingerServo {
+  double kp = 0.0, inertia = 0.0;
+};
+std::optional<FingerServo> finger_servo(const FingerGroups& groups, const Model& model, int joint);
+
+}  // namespace twinbus
