@@ -31,6 +31,7 @@ constexpr double kUnit = 0.01;         // what the length of a quaternion may be
 constexpr double kWidestCorner = 0.4;  // [rad]
 constexpr double kMostSlower = 3.0;  // than the joints' speeds ask: then a way with more of their efforts left is looked for
 constexpr double kReserve = 0.9;     // of their efforts that may hold the arm on it
+constexpr int kLessForLight = 4;     // of the rounds of a search, where a way is at hand already
 constexpr int kMostKnots = 360;        // what 60 pieces of an arm path hold
 constexpr int kLongPatience = 5;         // times as many rounds when no way was found
 constexpr std::size_t kMostHeld = 8;     // things of which balls are kept
@@ -270,7 +271,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
 
     ArmLines lines(*model_, space, collision_, balls_, padded_);
     SearchLimits limits = question.range.limits();
-    limits.most_rounds = spent.rounds;
+    limits.most_rounds = slow.path.empty() ? spent.rounds : spent.rounds / kLessForLight;
     limits.seed = seed;
     JointSearch search(limits);
     SearchPath goals;

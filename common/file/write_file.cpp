@@ -1,5 +1,7 @@
 #include "common/file/write_file.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -16,10 +18,18 @@ void write_file(const std::string& file, const std::string& text) {
 }
 
 void write_whole(const std::string& file, const std::string& text) {
-  write_file(file + ".new", text);
+  const std::string made = file + ".new" + std::to_string(getpid());  // two that write at once do not mix
   std::error_code error;
-  fs::rename(file + ".new", file, error);
-  if (error) throw std::runtime_error("cannot write " + file);
+  try {
+    write_file(made, text);
+    fs::rename(made, file, error);
+  } catch (const std::runtime_error&) {
+    error = std::make_error_code(std::errc::io_error);
+  }
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(made, ignored);
+  throw std::runtime_error("cannot write " + file);
 }
 
 void write_new(const std::string& file, const std::string& text) {

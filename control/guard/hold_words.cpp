@@ -13,7 +13,7 @@ namespace {
 constexpr double kQuiet = 2.0;  // who goes on asking for what is held is told so often [s]
 }
 
-const char* HoldWords::tell(std::int64_t waits, std::int64_t given_up, const Guard* guard, const GuardReport& heard,
+const char* HoldWords::tell(std::int64_t waits, std::int64_t given_up, const Guard* guard, const GuardReport* heard,
                             std::int64_t tick) noexcept {
   if ((waits | given_up) == 0) return nullptr;
   if (given_up == 0) {
@@ -34,12 +34,12 @@ const char* HoldWords::tell(std::int64_t waits, std::int64_t given_up, const Gua
   if (guard != nullptr && guard->cause().found) {
     rest[0] = ':', rest[1] = ' ';
     describe(*model_, guard->obstacles(), guard->cause(), rest.subspan(2));
-  } else if (heard.pairs_near > 0) {
+  } else if (heard != nullptr && heard->pairs_near > 0) {
     const std::vector<Obstacle>& obstacles = guard != nullptr ? guard->obstacles() : none_;
-    const ThingName one = thing_name(*model_, obstacles, heard.link_a[0]);
-    const ThingName other = thing_name(*model_, obstacles, heard.link_b[0]);
+    const ThingName one = thing_name(*model_, obstacles, heard->link_a[0]);
+    const ThingName other = thing_name(*model_, obstacles, heard->link_b[0]);
     const int more = std::snprintf(rest.data(), rest.size(), ": %s and %s are %.1f mm apart", one.data(), other.data(),
-                                   1e3 * static_cast<double>(heard.distance[0]));
+                                   1e3 * static_cast<double>(heard->distance[0]));
     if (more < 0) rest[0] = '\0';
   }
   return text.data();

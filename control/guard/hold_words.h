@@ -15,8 +15,8 @@ class HoldWords {
   explicit HoldWords(const Model& model) noexcept : model_(&model) {}
 
   // waits, given_up: bit per bus joint, as Posture tells them.  guard: in the controller, or null; heard: what a guard process
-  // says of this tick.  A sentence that lives until the fourth next one; null where there is nothing new to say.
-  const char* tell(std::int64_t waits, std::int64_t given_up, const Guard* guard, const GuardReport& heard,
+  // says of this tick, or null.  A sentence that lives until the fourth next one; null where there is nothing new to say.
+  const char* tell(std::int64_t waits, std::int64_t given_up, const Guard* guard, const GuardReport* heard,
                    std::int64_t tick) noexcept;
 
  private:

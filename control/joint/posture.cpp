@@ -14,7 +14,8 @@ constexpr double kPeakOfMinJerk = 1.875;  // largest speed over mean speed
 constexpr double kShortest = 0.2;         // of a way [s]
 constexpr double kShows = 0.05;    // that a new way leads on from a joint that is held, so that a guard sees where to [s]
 constexpr double kClearFor = 0.5;  // the guard must be content before a joint goes on [s]
-constexpr int kMostBlocks = 3;     // then the way is given up
+constexpr int kMostBlocks = 3;     // without going on in between: then the way is given up
+constexpr double kGoesOn = 0.05;   // a joint that came so far since it was held last [rad or m]
 constexpr double kArrived = 1e-6;  // from where it goes [rad or m]
 }  // namespace
 
@@ -32,7 +33,7 @@ double Posture::least_time(int bus_joint, double q) const noexcept {
 }
 
 void Posture::rest(const PerJoint<double>& q) noexcept {
-  asked_ = waiting_ = 0;
+  asked_ = waiting_ = braked_ = 0;
   for (int j = 0; j < model_->bus_count(); ++j) {
     const auto k = static_cast<std::size_t>(j);
     joint_[k].rest(inside(j, q[k]));
@@ -42,7 +43,7 @@ void Posture::rest(const PerJoint<double>& q) noexcept {
 
 void Posture::brake(const PerJoint<double>& q, const PerJoint<double>& qd,
                     double duration) noexcept {
-  asked_ = waiting_ = 0;
+  asked_ = waiting_ = braked_ = 0;
   for (int j = 0; j < model_->bus_count(); ++j) {
     const auto k = static_cast<std::size_t>(j);
     joint_[k].aim_from(q[k], qd[k], 0.0, inside(j, q[k] + 0.5 * duration * qd[k]), duration);
@@ -57,11 +58,19 @@ void Posture::move(const PerJoint<double>& q, std::int64_t mask, double duration
   }
   for (int j = 0; j < model_->bus_count(); ++j) {
     if ((mask & bit(j)) == 0) continue;
-    joint_[at(j)].aim(inside(j, q[at(j)]), longest);
-    way_[at(j)] = {};
+    MinJerk& joint = joint_[at(j)];
+    const double to = inside(j, q[at(j)]), held_towards = way_[at(j)].held_towards;
+    const bool was_held = (braked_ & bit(j)) != 0;
+    // On towards what it is held for it leads no further.
+    const bool same = was_held && held_towards * (to - joint.position()) > 0.0;
+    way_[at(j)] = {.shown = same ? kShows : 0.0, .held_towards = held_towards};
+    if (was_held) {
+      joint.aim_from(joint.position(), driven_rate_[at(j)], 0.0, to, longest);
+    } else {
+      joint.aim(to, longest);
+    }
     asked_ |= bit(j);
-    waiting_ &= ~bit(j);
-    given_up_ &= ~bit(j);
+    for (std::int64_t* bits : {&waiting_, &given_up_, &braked_}) *bits &= ~bit(j);
   }
 }
 
@@ -75,6 +84,9 @@ void Posture::hold(int bus_joint, double q, double qd) noexcept {
   if (on_its_way && (asked_ & it) != 0 && (waiting_ & it) == 0) {
     way.to = joint.target();
     way.left = joint.time_left();
+    way.held_towards = way.to - joint.position();
+    if (std::abs(q - way.held_at) > kGoesOn) way.blocks = 0;
+    way.held_at = q;
     if (++way.blocks < kMostBlocks) {
       waiting_ |= it;
       held_.waits |= it;
@@ -137,8 +149,11 @@ void Posture::advance(double dt) noexcept {
 }
 
 bool Posture::moving() const noexcept {
-  return std::any_of(joint_.begin(), joint_.begin() + model_->bus_count(),
-                     [](const MinJerk& joint) { return joint.moving(); });
+  for (int j = 0; j < model_->bus_count(); ++j) {
+    const bool brakes = (braked_ & bit(j)) != 0 && driven_rate_[at(j)] != 0.0;
+    if (brakes || joint_[at(j)].moving()) return true;
+  }
+  return false;
 }
 
 }  // namespace twinbus

@@ -1,6 +1,6 @@
 // Joint-space set-points of every joint on the bus: each rests or is on a smooth way to where it
 // was sent.  What a guard holds stays where it is held, and nothing runs on ahead of it: its way goes on
-// once the guard has been content for a while, and ends for good where it was held too often.
+// once the guard has been content for a while, and ends for good where it is held again and again without going on.
 
 #pragma once
 
@@ -41,7 +41,8 @@ class Posture {
     return driven_[k] ? driven_rate_[k] : joint_[k].velocity();
   }
   bool moving() const noexcept;
-  bool waits() const noexcept { return waiting_ != 0; }  // some joint is to go on once nothing holds it
+  // One of these is to go on once nothing holds it.
+  bool waits(std::int64_t mask) const noexcept { return (waiting_ & mask) != 0; }
   // One of these was sent somewhere last, and was held too often to come there.
   bool gave_up(std::int64_t mask) const noexcept { return (given_up_ & mask) != 0; }
 
@@ -51,7 +52,9 @@ class Posture {
     double to = 0.0, left = 0.0;  // where it goes [rad or m], the time that is left of it [s]
     double shown = 0.0;           // since it began [s]
     double clear_for = 0.0;       // since nothing holds the joint [s]
-    int blocks = 0;               // so often it was held
+    double held_towards = 0.0;    // from where it was held last to where it went [rad or m]
+    double held_at = 0.0;         // where that was [rad or m]
+    int blocks = 0;               // so often it was held there
   };
   double inside(int bus_joint, double q) const noexcept;
   double least_time(int bus_joint, double q) const noexcept;  // to there [s]
@@ -62,7 +65,7 @@ class Posture {
   std::array<MinJerk, kMaxJoints> joint_{};
   std::array<Way, kMaxJoints> way_{};
   std::int64_t asked_ = 0, waiting_ = 0, given_up_ = 0;  // bit per joint: has a way, waits on it, was held on it too often
-  std::int64_t braked_ = 0;                            // held a tick ago
+  std::int64_t braked_ = 0;                              // held a tick ago
   Held held_;
   std::array<bool, kMaxJoints> driven_{};  // set() this tick
   PerJoint<double> driven_rate_{};

@@ -175,6 +175,7 @@ class Modes {
   ArmFollow arm_;
   MotionFollow motion_;
   PerJoint<double> stood_{};   // before the motion, bus order
+  double waited_ = 0.0;        // for the guard, on the way to its first frame [s]
   ModeRequest after_motion_;   // obeyed when it has ended
   Posture braked_;             // how the joints would come to rest, while it plays
   Brace brace_;

@@ -11,6 +11,7 @@ namespace twinbus {
 namespace {
 constexpr double kStopTime = 0.4;    // [s] in which a sway or squat makes room for a motion
 constexpr double kApproach = 1.5;    // [s] to the first frame of a motion, and back, at least
+constexpr double kPatience = 3.0;    // [s] with a joint that the guard holds on that way
 constexpr double kLevel = 0.005;     // a motion that is no deeper asks nothing of the knees [m]
 }  // namespace
 
@@ -111,6 +112,7 @@ void Modes::look_along(const Moment& now) noexcept {
   if (back && is_free) return go_back();
   if (!back && is_free && !motion_.ending()) {
     posture_.move(motion_.first(), motion_.mask(), kApproach);
+    waited_ = 0.0;
     return motion_.approach(kApproach);
   }
   if (!is_free) {
@@ -148,8 +150,10 @@ void Modes::play(const Moment& now, std::int64_t mask, double dt) noexcept {
       motion_.update(posture_, mask, dt);
       if (motion_.ending()) {
         go_back();
-      } else if (!posture_.moving() && !posture_.waits() && motion_.approached()) {
-        if (posture_.gave_up(motion_.mask())) {
+      } else if (!posture_.moving() && motion_.approached()) {
+        const bool waits = posture_.waits(motion_.mask());
+        if (waits && (waited_ += dt) < kPatience) break;
+        if (waits || posture_.gave_up(motion_.mask())) {
           sentence_ = "the guard holds the robot on the way to the first frame of the motion; it is not played";
           go_back();
         } else {
@@ -166,7 +170,7 @@ void Modes::play(const Moment& now, std::int64_t mask, double dt) noexcept {
       motion_.set_stage(MotionFollow::Stage::kLooksBack);
       break;
     case MotionFollow::Stage::kReturns:
-      if (!posture_.moving() && !posture_.waits()) end_motion(now);
+      if (!posture_.moving()) end_motion(now);  // what the guard holds goes on by itself
       break;
   }
 }

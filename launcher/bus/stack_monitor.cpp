@@ -75,7 +75,7 @@ void StackMonitor::on_heartbeat(const Heartbeat& beat, std::int64_t now_ns) {
 
 void StackMonitor::on_truth(const SimTruth& truth, std::int64_t now_ns) {
   if (state_.received() > 0 && truth.run_id != newest_state_.run_id)
-    return;  // of a standby simulator
+    return count_doubts(truth, false);  // of a standby simulator
   truth_.add(truth.tick, now_ns);
   RunFigures& f = figures_;
   ++f.truths;
@@ -95,22 +95,22 @@ void StackMonitor::on_truth(const SimTruth& truth, std::int64_t now_ns) {
   f.base[1] = truth.base_position[1];
   f.base[2] = yaw_of(truth.base_attitude);
   f.realtime_factor = static_cast<double>(truth.realtime_factor);
-  count_doubts(truth);
+  count_doubts(truth, true);
 }
 
-// Another run is another world, and so is one that begins anew.
-void StackMonitor::count_doubts(const SimTruth& truth) {
-  RunFigures& f = figures_;
-  const bool anew = truth.run_id != last_truth_.run_id || truth.sim_time < last_truth_.sim_time;
-  const std::int64_t before = anew ? 0 : last_truth_.doubted_steps;
-  if (truth.doubted_steps > before) {
-    if (f.doubted_since < 0.0) f.doubted_since = before > 0 ? truth.sim_time : truth.doubted_since;
-    f.doubted_steps += truth.doubted_steps - before;
+// Another run is another world, and so is one that begins anew.  What a world doubts while it is not the active one is not of this run.
+void StackMonitor::count_doubts(const SimTruth& truth, bool active) {
+  if (worlds_.size() >= kMostWorlds && !worlds_.contains(truth.run_id)) worlds_.erase(worlds_.begin());
+  SimTruth& last = worlds_[truth.run_id];
+  if (truth.sim_time < last.sim_time) last = {};
+  if (active && truth.doubted_steps > last.doubted_steps) {
+    RunFigures& f = figures_;
+    if (f.doubted_since < 0.0) f.doubted_since = last.doubted_steps > 0 ? truth.sim_time : truth.doubted_since;
+    f.doubted_steps += truth.doubted_steps - last.doubted_steps;
     f.last_doubt = truth.last_doubt;
-    for (std::size_t i = 0; i < f.doubted.size(); ++i)
-      f.doubted[i] += std::max(0, truth.doubted[i] - (anew ? 0 : last_truth_.doubted[i]));
+    for (std::size_t i = 0; i < f.doubted.size(); ++i) f.doubted[i] += std::max(0, truth.doubted[i] - last.doubted[i]);
   }
-  last_truth_ = truth;
+  last = truth;
 }
 
 void StackMonitor::on_guard(const GuardReport& report, std::int64_t now_ns) {

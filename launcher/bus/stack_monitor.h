@@ -87,7 +87,7 @@ class StackMonitor {
   void restart_counts();
 
  private:
-  void count_doubts(const SimTruth& truth);
+  void count_doubts(const SimTruth& truth, bool active);
 
   std::map<std::int64_t, SeenSource> sources_;
   std::map<std::int64_t, SeenProcess> processes_;
@@ -98,7 +98,8 @@ class StackMonitor {
   RunFigures figures_;
   std::vector<std::string> events_;
   double last_truth_time_ = -1.0;
-  SimTruth last_truth_{};  // what its world doubted by then is not counted twice
+  static constexpr std::size_t kMostWorlds = 64;
+  std::map<std::int64_t, SimTruth> worlds_;  // by run: what each doubted by then is not counted twice
 };
 
 // Words for what messages carry as numbers.

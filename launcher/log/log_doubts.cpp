@@ -15,7 +15,7 @@ const char* name_of_doubt(std::size_t index) { return label(static_cast<StepDoub
 
 std::vector<std::string> LogDoubts::add(std::string_view channel, std::span<const std::uint8_t> data) {
   SimTruth truth;
-  if (channel != channel::kTruth || decode(data, truth) != Status::kOk) return {};
+  if (!channel.ends_with(channel::kTruth) || decode(data, truth) != Status::kOk) return {};
   if (newest_.size() >= kMostWorlds && !newest_.contains(truth.run_id)) return {};
   SimTruth& before = newest_[truth.run_id];
   std::vector<std::string> news;

@@ -15,8 +15,9 @@ namespace twinbus {
 
 class LogDoubts {
  public:
-  // A message of TRUTH; anything else says nothing.  Sentences of what is new in it: a kind of doubt that its world did not have before.
+  // A message of TRUTH, with or without a prefix; anything else says nothing.  Sentences of what is new in it: a kind of doubt that its world did not have before.
   std::vector<std::string> add(std::string_view channel, std::span<const std::uint8_t> data);
+  bool heard() const { return !newest_.empty(); }  // a TRUTH
   // A line for each world that has some.
   std::string text() const;
 

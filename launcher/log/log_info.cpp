@@ -11,6 +11,7 @@
 #include "launcher/log/log_doubts.h"
 #include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
+#include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/log_index.h"
 
@@ -28,6 +29,9 @@ std::string doubts_at_the_end(const LogSummary& summary, const std::string& file
     (void)doubts.add(event.channel, event.data);
     return true;
   });
+  const bool simulated = std::any_of(summary.channels.begin(), summary.channels.end(),
+                                     [](const auto& channel) { return channel.first.ends_with(channel::kTruth); });
+  if (simulated && !doubts.heard()) return "no simulator is in the last second: whether it doubted a step shows with --check\n";
   return doubts.text();
 }
 

@@ -87,6 +87,7 @@ class Up {
   std::unique_ptr<SetupWishes> wishes_;
   Placeholders values_;
   std::vector<std::string> own_settings_;  // of values_, without those of the accuracy
+  double own_step_ = 0.0;                  // [s]
   std::unique_ptr<UpAccuracy> accuracy_;
   std::int64_t model_hash_ = 0;  // of the robot that runs
   Redraw redraw_;
@@ -132,7 +133,8 @@ Up::Up(const Arguments& arguments) {
                                    arguments.all("--allow"));
   refuse_if_someone_publishes();
   accuracy_ = std::make_unique<UpAccuracy>(arguments, model, scene_, stack_, request_);
-  request_.step_s = accuracy_->step_or(request_.step_s);
+  own_step_ = request_.step_s;
+  request_.step_s = accuracy_->step_or(own_step_);
   bus_->on_raw_state([this](std::span<const std::uint8_t> bytes) { hash_.add(bytes); });
 
   keep_viewer_addresses();
@@ -310,6 +312,7 @@ void Up::set_up(const std::string& wish) {
     values_["start"].clear();  // the wish names its own
     if (values_ != before && accuracy_->drop()) {
       values_["settings"] = own_settings_;
+      request_.step_s = own_step_;
       dropped = true;
     }
     supervisor_->fit(values_);

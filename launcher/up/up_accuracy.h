@@ -37,8 +37,8 @@ class UpAccuracy {
   double step_or(double otherwise) const;
   // Another world runs: nothing was chosen for it.  Whether something had been.
   bool drop();
-  // Why what was asked is not given; empty: it is.
-  std::string failure() const { return choice_ ? choice_->reason : ""; }
+  // Why the error asked for is not held; empty: it is, or a budget alone was asked, within which the best runs.
+  std::string failure() const { return choice_ && (asked_.error > 0.0 || choice_->rung < 0) ? choice_->reason : ""; }
   // A report with what was chosen.
   std::string in_report(const std::string& report) const;
 

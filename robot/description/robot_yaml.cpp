@@ -165,6 +165,7 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     }
     hands.finish();
   }
+  if (top.has("collision")) top.fail("collision", "is no choice any more: distances are always the robot's own; leave it out");
   if (top.has("walking")) {
     const ConfigNode walking = top.map("walking");
     if (walking.has("gait") && top.has("soles"))

@@ -118,6 +118,29 @@ TEST(MotionPlay, ArmsGoExactlyAsTheMotionSaysAndTheRobotGoesDownAndUp) {
   EXPECT_EQ(robot.sentence(), "");
 }
 
+// A joint that something keeps from the first frame, for as long as one likes.
+TEST(MotionPlay, WhatAGuardHoldsOnTheWayToItKeepsNothingElseFromBeingObeyed) {
+  const MotionClip clip = arms_and_squat(4.0);
+  Player robot;
+  GuardReport report;
+  report.run_id = robot.state().run_id;
+  report.hold_mask = std::int64_t{1} << bus("RARM_SHOULDER_R");
+  const auto run = [&](double seconds) {
+    for (double time = 0.0; time < seconds; time += hrp1s().period()) {
+      report.tick = robot.state().tick;
+      robot.loop().on_guard(report, robot.state().time_ns);
+      ASSERT_TRUE(robot.tick());
+    }
+  };
+  robot.say(clip, 5);
+  run(1.0);
+  robot.ask(Mode::kHold);
+  run(6.0);
+  EXPECT_FALSE(robot.plays());
+  EXPECT_EQ(robot.loop().status().mode, Mode::kHold);
+  EXPECT_FALSE(robot.record().fell);
+}
+
 TEST(MotionPlay, NothingIsAllocatedWhileItPlays) {
   const MotionClip clip = arms_and_squat(1.0);
   Player robot;

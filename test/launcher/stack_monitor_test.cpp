@@ -96,6 +96,21 @@ TEST(StackMonitor, DoubtedStepsAreCountedOnceAndOverSeveralWorlds) {
   EXPECT_EQ(seen.figures().doubted_steps, 8);
   tell(8, 0.002, 1, 0);  // begun anew
   EXPECT_EQ(seen.figures().doubted_steps, 9);
+  tell(7, 0.030, 4, 2);  // and back to the first
+  EXPECT_EQ(seen.figures().doubted_steps, 9);
+  tell(7, 0.032, 5, 2);
+  EXPECT_EQ(seen.figures().doubted_steps, 10);
+  RobotState state;  // of 7, which is the active one: 8 stands by
+  state.run_id = 7;
+  state.tick = 1;
+  seen.on_state(state, false, 1);
+  tell(8, 0.010, 40, 0);
+  EXPECT_EQ(seen.figures().doubted_steps, 10);
+  state.run_id = 8;
+  state.tick = 2;
+  seen.on_state(state, false, 2);
+  tell(8, 0.012, 41, 0);
+  EXPECT_EQ(seen.figures().doubted_steps, 11);
 }
 
 TEST(StackMonitor, WordsForNumbersOutsideTheListAreUnknown) {
