@@ -110,7 +110,7 @@ struct ControlLoop::Impl {
   // Streams, too: what a sender has said before is from a log.
   SenderSequences<64> steps_heard, walks_heard, pads_heard;
   GuardReport guard_heard;
-  bool guard_speaks = false;  // it is of this run and not too old
+  bool guard_speaks = false;  // of this run, not long ago
   std::int64_t guard_heard_ns = 0;
   std::int64_t mask = 0;  // bit per joint held this tick
   HoldWords hold_words;
@@ -205,13 +205,10 @@ Eigen::Vector3d ControlLoop::Impl::walk_velocity(std::int64_t now_ns) const noex
 }
 
 void ControlLoop::Impl::guard_and_mask(std::int64_t now_ns, double dt) noexcept {
-  mask = 0;
-  if (guard != nullptr) {
-    write(command);  // what is asked, before any mask
-    mask = guard->check(state, &command, estimator).hold_mask;
-  }
-  guard_speaks = guard_heard.run_id == state.run_id && guard_heard_ns != 0 &&
-                 static_cast<double>(now_ns - guard_heard_ns) < model.guard_timeout * 1e9;
+  if (guard != nullptr) write(command);  // what is asked, before any mask
+  mask = guard != nullptr ? guard->check(state, &command, estimator).hold_mask : 0;
+  const bool fresh = guard_heard_ns != 0 && static_cast<double>(now_ns - guard_heard_ns) < model.guard_timeout * 1e9;
+  guard_speaks = fresh && guard_heard.run_id == state.run_id;
   if (guard_speaks) {
     mask |= guard_heard.hold_mask;
     status.guard_tick = guard_heard.tick;
@@ -324,8 +321,8 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
   blend.apply(want, dt);
   guard_and_mask(now_ns, dt);
   const Posture::Held held = modes.take_held();
-  const GuardReport* heard = guard_speaks ? &guard_heard : nullptr;
-  if (const char* why = hold_words.tell(held.waits, held.given_up, guard.get(), heard, state.tick)) sentence = why;
+  const char* why = hold_words.tell(held.waits, held.given_up, guard.get(), guard_speaks ? &guard_heard : nullptr, state.tick);
+  if (why != nullptr) sentence = why;
   // Set-points that follow what is measured begin anew where another robot is; its gate fades them in.
   limits.apply(state, same_source ? now().last : nullptr, dt, want);
   last = want;
