@@ -14,7 +14,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -25,6 +24,7 @@
 #include "common/process/process.h"
 #include "common/text/formatted.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/operate/package_list.h"
 #include "launcher/stack/run_folder.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/udpm_receiver.h"
@@ -191,29 +191,6 @@ void check_real_time(Report& report, bool in_detail) {
   report.add(Health::kGood, std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " CPUs");
 }
 
-// ID and ID-VERSION_ID of /etc/os-release, as "debian" and "debian-12".
-std::array<std::string, 2> os_release() {
-  std::ifstream file("/etc/os-release");
-  std::string id, version;
-  for (std::string line; std::getline(file, line);) {
-    std::erase(line, '"');
-    if (line.starts_with("ID=")) id = line.substr(3);
-    if (line.starts_with("VERSION_ID=")) version = line.substr(11);
-  }
-  return {id, id + "-" + version};
-}
-
-// Behind the name of a package: [debian-13 ubuntu]: only there; [!ubuntu-22.04]: everywhere else.
-bool is_for(const std::string& line, const std::array<std::string, 2>& here) {
-  static const std::regex kPlaces(R"(^([^ ]+: +)?[^ ]+ +\[(!?)([^\]]*)\].*)");
-  std::smatch found;
-  if (!std::regex_match(line, found, kPlaces)) return true;
-  std::istringstream names(found[3]);
-  bool any = false;
-  for (std::string name; names >> name;) any = any || std::find(here.begin(), here.end(), name) != here.end();
-  return any != (found[2] == "!");
-}
-
 void check_packages(Report& report) {
   std::ifstream list(install_folder() + "/config/packages.txt");
   std::ifstream status_file("/var/lib/dpkg/status");
@@ -226,27 +203,20 @@ void check_packages(Report& report) {
     if (line.starts_with("Package: ")) name = line.substr(9);
     if (line == "Status: install ok installed") installed.push_back(name);
   }
-  const std::array<std::string, 2> here = os_release();
-  std::string missing, for_spy;
-  std::size_t count = 0;
-  for (std::string line; std::getline(list, line);) {
-    if (!is_for(line, here)) continue;
-    std::istringstream words(line);
-    std::string package;
-    words >> package;
-    if (package == "spy:" && words >> package &&
-        std::find(installed.begin(), installed.end(), package) == installed.end()) {
-      for_spy += " " + package;
-      continue;
+  const char* release_file = std::getenv("TWINBUS_OS_RELEASE");
+  std::ifstream release(release_file != nullptr ? release_file : "/etc/os-release");
+  const PackageList wanted = packages_for(list, release_names(release));
+  const auto lacking = [&](const std::vector<std::string>& packages) {
+    std::string words;
+    for (const std::string& package : packages) {
+      if (std::find(installed.begin(), installed.end(), package) == installed.end()) words += " " + package;
     }
-    if (package.empty() || package[0] == '#' || package.ends_with(':')) continue;
-    ++count;
-    if (std::find(installed.begin(), installed.end(), package) == installed.end())
-      missing += " " + package;
-  }
+    return words;
+  };
+  const std::string missing = lacking(wanted.needed), for_spy = lacking(wanted.spy);
   report.add(missing.empty() ? Health::kGood : Health::kBad,
              missing.empty()
-                 ? "all " + std::to_string(count) + " packages of config/packages.txt are installed"
+                 ? "all " + std::to_string(wanted.needed.size()) + " packages of config/packages.txt are installed"
                  : "packages are missing:" + missing,
              "sudo apt-get install" + missing);
   if (!for_spy.empty()) {

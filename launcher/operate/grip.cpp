@@ -24,7 +24,6 @@ namespace twinbus {
 namespace {
 
 constexpr double kBegins = 0.3;     // a controller looks along the way for so long before it moves [s]
-constexpr double kLongest = 20.0;   // [s]
 constexpr double kStill = 0.5;      // fingers that have not moved for so long have come to rest [s]
 constexpr double kMoved = 0.005, kThere = 0.03;  // of the way from closed to open
 
@@ -77,21 +76,15 @@ double mean_share(const Grippers& grippers, const Model& model, const RobotState
   return sum / static_cast<double>(grippers.size());
 }
 
-// Until the fingers are there or go no further.
-double wait_for_fingers(BusLink& bus, const Grippers& grippers, const Model& model, double wanted) {
-  const std::int64_t begin = monotonic_ns();
-  std::int64_t moved_ns = begin;
-  double last = mean_share(grippers, model, bus.seen().newest_state());
-  while (!quit_requested() && seconds_since(begin) < kLongest) {
-    bus.listen(0.05);
-    const double now = mean_share(grippers, model, bus.seen().newest_state());
-    if (std::abs(now - last) > kMoved) {
-      last = now;
-      moved_ns = monotonic_ns();
+// What of the least way from closed to open is kMoved [rad or m].
+double least_moved(const Grippers& grippers) {
+  double least = 1e300;
+  for (const Gripper& gripper : grippers) {
+    for (std::size_t i = 0; i < gripper.joints.size(); ++i) {
+      if (const double way = std::abs(gripper.open[i] - gripper.closed[i]); way > 0.0) least = std::min(least, way);
     }
-    if (std::abs(now - wanted) < kMoved || seconds_since(moved_ns) > kStill) return now;
   }
-  return last;
+  return kMoved * least;
 }
 
 }  // namespace
@@ -126,7 +119,9 @@ a pose, and stop at what they grip; an arm that is on its way stops.
   const double before = mean_share(grippers, model, bus.seen().newest_state());
   (void)ask_controller(bus, request);
   bus.listen(kBegins);
-  const double at = wait_for_fingers(bus, grippers, model, wanted);
+  const double moved_by = least_moved(grippers);
+  (void)wait_for_joints(bus, request, {.there = moved_by, .moved = moved_by, .still = kStill});
+  const double at = mean_share(grippers, model, bus.seen().newest_state());
   if (std::abs(at - wanted) <= kThere) {
     print_typed(stdout, "grip: at %.2f of the opening\n", at);
     return 0;

@@ -27,8 +27,7 @@ constexpr double kAskAgain = 0.1;       // [s]
 constexpr double kAnswerTimeout = 2.0;  // [s]
 constexpr double kPausedAnswer = 0.5;   // a world that stands still has heard it by then [s]
 constexpr double kWalkEnds = 6.0;       // a walk is brought to rest by then [s]
-constexpr double kPoseRest = 1.0;       // after the time of a pose, until the joints are there [s]
-constexpr double kPoseNear = 0.03;      // [rad or m]
+constexpr double kLongestPose = 125.0;  // what a controller takes for one at most, and a little [s]
 constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
 
 // While a balanced stop was asked: the stop that came of it.
@@ -86,24 +85,34 @@ bool does(const ControllerStatus& status, const ModeRequest& request) {
          (request.motion == Motion::kNone || status.motion == request.motion);
 }
 
-// Until the joints are where they were asked to be; false when something else came first.
-bool wait_for_pose(BusLink& bus, const ModeRequest& request) {
+}  // namespace
+
+bool wait_for_joints(BusLink& bus, const ModeRequest& request, const JointsRest& rest) {
   const std::int64_t begin = monotonic_ns();
-  const double most = static_cast<double>(request.duration) + kPoseRest;
-  while (!quit_requested() && seconds_since(begin) < most) {
+  std::int64_t moved_ns = begin;
+  std::array<double, kMaxJoints> last = bus.seen().newest_state().q;
+  while (!quit_requested() && seconds_since(begin) < kLongestPose) {
     bus.listen(0.05);
     if (bus.seen().controller().mode != Mode::kPose) return false;
-    if (seconds_since(begin) < static_cast<double>(request.duration)) continue;
     const RobotState& state = bus.seen().newest_state();
-    bool there = true;
+    bool there = true, moved = false;
     for (std::size_t k = 0; k < static_cast<std::size_t>(state.joint_count); ++k) {
-      if ((request.joint_mask >> k & 1) != 0 && std::abs(state.q[k] - request.q[k]) > kPoseNear)
-        there = false;
+      if ((request.joint_mask >> k & 1) == 0) continue;
+      there = there && std::abs(state.q[k] - request.q[k]) <= rest.there;
+      moved = moved || std::abs(state.q[k] - last[k]) > rest.moved;
     }
-    if (there) return true;
+    const bool begun = seconds_since(begin) >= static_cast<double>(request.duration);
+    if (there && begun) return true;
+    if (moved) {
+      last = state.q;
+      moved_ns = monotonic_ns();
+    }
+    if (begun && seconds_since(moved_ns) > rest.still) return false;
   }
   return false;
 }
+
+namespace {
 
 int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   if (bus.seen().controller_statuses().received() == 0)
@@ -130,7 +139,7 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
     print_typed(stdout, "%s: %s\n", asked, what_it_does(bus.seen().controller(), request).c_str());
     return 0;
   }
-  if (wait_for_pose(bus, request)) {
+  if (wait_for_joints(bus, request, {})) {
     print_typed(stdout, "%s: the robot is in the pose\n", asked);
     return 0;
   }

@@ -15,4 +15,13 @@ bool ask_controller(BusLink& bus, ModeRequest& request);
 // After it was asked: why the controller does not do it, and the remedy.
 std::string why_it_stays(BusLink& bus, const ModeRequest& request);
 
+// When joints that were sent somewhere have come there, or go no further.
+struct JointsRest {
+  double there = 0.03;   // from where they were sent [rad or m]
+  double moved = 2e-3;   // one that moved less rests [rad or m]
+  double still = 1.0;    // for so long [s]
+};
+// Of the joints of a pose, once its time is over.  False when they rest elsewhere or another mode came.
+bool wait_for_joints(BusLink& bus, const ModeRequest& request, const JointsRest& rest);
+
 }  // namespace twinbus

@@ -24,7 +24,7 @@ std::string sentence(const char* format, double reached, double asked) {
     const std::string whole = format;
     std::size_t at = whole.find('%');
     while (at != std::string::npos && whole[at + 1] == '%') at = whole.find('%', at + 2);
-    return whole.substr(0, at) + "(not measured: the run ended before)";
+    return whole.substr(0, at) + "... not measured: the run ended before";
   }
   return formatted(format, reached, asked);
 }

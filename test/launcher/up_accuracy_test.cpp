@@ -35,39 +35,35 @@ AccuracyChoice chosen(int rung) {
   return choice;
 }
 
-TEST(UpAccuracy, WhatFitsStaysAndSaysNothing) {
-  AccuracyChoice choice = chosen(1);
-  keep_to_real_time(choice, {.error = 1e-3}, kPeriod, time_for_physics(kPeriod, 1.0, false));
-  EXPECT_EQ(choice.rung, 1);
-  EXPECT_EQ(choice.reason, "");
+// What real time leaves of a choice.
+AccuracyChoice kept(int rung, const AccuracyRequest& asked, double rate = 1.0, bool lockstep = false) {
+  AccuracyChoice choice = chosen(rung);
+  keep_to_real_time(choice, asked, kPeriod, time_for_physics(kPeriod, rate, lockstep));
+  return choice;
+}
+
+TEST(UpAccuracy, WhatFitsStaysAndSaysNothingAndLockStepTakesItsTime) {
+  const AccuracyChoice fits = kept(1, {.error = 1e-3}), waits = kept(2, {.error = 1e-4}, 1.0, true);
+  EXPECT_EQ(fits.rung, 1);
+  EXPECT_EQ(fits.reason, "");
+  EXPECT_EQ(waits.rung, 2);
+  EXPECT_EQ(waits.reason, "");
 }
 
 TEST(UpAccuracy, WhatDoesNotFitGivesWayToTheBestThatDoes) {
-  AccuracyChoice choice = chosen(2);
-  keep_to_real_time(choice, {.error = 1e-4}, kPeriod, time_for_physics(kPeriod, 1.0, false));
+  const AccuracyChoice choice = kept(2, {.error = 1e-4});
   EXPECT_EQ(choice.rung, 1);
   EXPECT_EQ(choice.reason,
             "0.1 mm does not fit real time: order 3 at 2 ms takes 1.8 ms in the mean, and real time leaves the physics 1 ms of each "
             "control period");
-  AccuracyChoice fast = chosen(2);
-  keep_to_real_time(fast, {.error = 1e-4}, kPeriod, time_for_physics(kPeriod, 4.0, false));
-  EXPECT_EQ(fast.rung, 0);
-  AccuracyChoice none = chosen(2);
-  keep_to_real_time(none, {.error = 1e-4}, kPeriod, time_for_physics(kPeriod, 10.0, false));
+  EXPECT_EQ(kept(2, {.error = 1e-4}, 4.0).rung, 0);
+  const AccuracyChoice none = kept(2, {.error = 1e-4}, 10.0);
   EXPECT_EQ(none.rung, -1);
   EXPECT_NE(none.reason.find("no order and step fits"), std::string::npos);
 }
 
-TEST(UpAccuracy, LockStepTakesItsTime) {
-  AccuracyChoice choice = chosen(2);
-  keep_to_real_time(choice, {.error = 1e-4}, kPeriod, time_for_physics(kPeriod, 1.0, true));
-  EXPECT_EQ(choice.rung, 2);
-  EXPECT_EQ(choice.reason, "");
-}
-
 TEST(UpAccuracy, ABudgetBeyondRealTimeIsTold) {
-  AccuracyChoice choice = chosen(1);
-  keep_to_real_time(choice, {.budget = 5e-3}, kPeriod, time_for_physics(kPeriod, 1.0, false));
+  const AccuracyChoice choice = kept(1, {.budget = 5e-3});
   EXPECT_EQ(choice.rung, 1);
   EXPECT_NE(choice.reason.find("a budget of 5 ms does not fit real time"), std::string::npos);
 }
