@@ -118,27 +118,35 @@ TEST(MotionPlay, ArmsGoExactlyAsTheMotionSaysAndTheRobotGoesDownAndUp) {
   EXPECT_EQ(robot.sentence(), "");
 }
 
-// A joint that something keeps from the first frame, for as long as one likes.
+// A joint that something keeps from the first frame, for as long as one likes: asked to end it, or left alone with it.
 TEST(MotionPlay, WhatAGuardHoldsOnTheWayToItKeepsNothingElseFromBeingObeyed) {
-  const MotionClip clip = arms_and_squat(4.0);
-  Player robot;
-  GuardReport report;
-  report.run_id = robot.state().run_id;
-  report.hold_mask = std::int64_t{1} << bus("RARM_SHOULDER_R");
-  const auto run = [&](double seconds) {
-    for (double time = 0.0; time < seconds; time += hrp1s().period()) {
-      report.tick = robot.state().tick;
-      robot.loop().on_guard(report, robot.state().time_ns);
-      ASSERT_TRUE(robot.tick());
-    }
-  };
-  robot.say(clip, 5);
-  run(1.0);
-  robot.ask(Mode::kHold);
-  run(6.0);
-  EXPECT_FALSE(robot.plays());
-  EXPECT_EQ(robot.loop().status().mode, Mode::kHold);
-  EXPECT_FALSE(robot.record().fell);
+  const MotionClip clip{hrp1s(), made_motion(4.0, [](double, auto& joints) { joints.emplace_back("RARM_SHOULDER_P", -0.6); }), {}};
+  for (const bool asked : {true, false}) {
+    Player robot;
+    GuardReport report;
+    report.run_id = robot.state().run_id;
+    report.hold_mask = std::int64_t{1} << bus("RARM_SHOULDER_P");
+    std::string said;
+    const auto run = [&](double seconds, bool held) {
+      for (double time = 0.0; time < seconds; time += hrp1s().period()) {
+        report.tick = robot.state().tick;
+        if (held) robot.loop().on_guard(report, robot.state().time_ns);
+        ASSERT_TRUE(robot.tick());
+        said += robot.sentence();
+      }
+    };
+    robot.say(clip, 5);
+    run(0.4, false);
+    const double begun = robot.command().q[at(bus("RARM_SHOULDER_P"))];
+    run(asked ? 1.0 : 8.0, true);
+    EXPECT_NEAR(robot.command().q[at(bus("RARM_SHOULDER_P"))], begun, 0.2) << "it is held on its way";
+    EXPECT_EQ(said.find("it is not played") != std::string::npos, !asked) << said;
+    robot.ask(Mode::kHold);
+    run(6.0, true);
+    EXPECT_FALSE(robot.plays());
+    EXPECT_EQ(robot.loop().status().mode, Mode::kHold) << asked;
+    EXPECT_FALSE(robot.record().fell);
+  }
 }
 
 TEST(MotionPlay, NothingIsAllocatedWhileItPlays) {
