@@ -108,7 +108,7 @@ Health assess(const StackView& view, std::int64_t now_ns) {
     const SimTruth& truth = view.truth().value;
     return {HealthLevel::kWarning, formatted("The simulator doubts %d of its steps since %.2f s, the last for ", truth.doubted_steps, truth.doubted_since) +
                                        label(truth.last_doubt) + ".",
-            "What moves then may be wrong: a smaller step or a higher solver.order, or ./twinbus tune of the scene."};
+            "A smaller step mends it: ./twinbus tune."};
   }
   if (pace_of(view, now_ns) == Pace::kSlowed) {
     return {HealthLevel::kGood, formatted("Slowed down on purpose: %.2f times real time.", view.realtime_factor())};
