@@ -61,7 +61,7 @@ class StepGait {
   // The pair of that leg is in the air first.
   void begin(int leg = 0) noexcept;
   // One foot at a time, after a shift.
-  void begin_crawl(bool backwards = false) noexcept;
+  void begin_crawl(bool backwards) noexcept;
   // A crawl that is being lost becomes a trot at once: the foot in the air stays there, its pair joins it.
   void trot_on() noexcept;
   // Stops as soon as all feet stand.

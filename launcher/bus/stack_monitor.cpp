@@ -107,7 +107,6 @@ void StackMonitor::count_doubts(const SimTruth& truth, bool active) {
     RunFigures& f = figures_;
     if (f.doubted_since < 0.0) f.doubted_since = last.doubted_steps > 0 ? truth.sim_time : truth.doubted_since;
     f.doubted_steps += truth.doubted_steps - last.doubted_steps;
-    f.last_doubt = truth.last_doubt;
     for (std::size_t i = 0; i < f.doubted.size(); ++i) f.doubted[i] += std::max(0, truth.doubted[i] - last.doubted[i]);
   }
   last = truth;

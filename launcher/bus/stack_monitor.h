@@ -48,7 +48,6 @@ struct RunFigures {
   std::array<std::int64_t, std::tuple_size_v<decltype(SimTruth::doubted)>> doubted{};  // physics steps, as TRUTH has them
   std::int64_t doubted_steps = 0;
   double doubted_since = -1.0;  // sim_time of the first of them [s]
-  StepDoubt last_doubt = StepDoubt::kNone;
 };
 
 class StackMonitor {

@@ -145,8 +145,7 @@ json report(const Model& model, const Extent& extent) {
   return out;
 }
 
-void print_gripper(const Model& model, int side) {
-  const Gripper gripper = grippers_of(model)[at(side)];
+void print_gripper(const Model& model, const Gripper& gripper, int side) {
   if (gripper.joints.empty()) return;
   std::printf("%s gripper:", side == 0 ? "left" : "right");
   for (std::size_t i = 0; i < gripper.joints.size(); ++i) {
@@ -158,6 +157,7 @@ void print_gripper(const Model& model, int side) {
 
 // Where it stands, what it reaches with and what it feels.
 void print_limbs(const Model& model) {
+  const std::array<Gripper, 2> grippers = grippers_of(model);
   for (const int side : {0, 1}) {
     const char* name = side == 0 ? "left" : "right";
     const Sole& sole = model.soles[at(side)];
@@ -170,7 +170,7 @@ void print_limbs(const Model& model) {
     if (hand.link >= 0) {
       std::printf("%s hand on %s: arm of %zu joints\n", name,
                   model.links[at(hand.link)].name.c_str(), hand.joints.size());
-      print_gripper(model, side);
+      print_gripper(model, grippers[at(side)], side);
     }
   }
   if (!model.yaml_text.empty() && stands_on_points(model)) {

@@ -4,6 +4,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/labels.h"
+#include "sim/world/step_trust.h"
 
 namespace twinbus {
 
@@ -36,7 +37,7 @@ std::string LogDoubts::text() const {
     const char* between = " (";
     for (std::size_t i = 0; i < truth.doubted.size(); ++i) {
       if (truth.doubted[i] == 0) continue;
-      text += formatted("%s%s %d", between, name_of_doubt(i), truth.doubted[i]);
+      text += formatted("%s%s %d", between, kDoubtNames[i], truth.doubted[i]);
       between = ", ";
     }
     text += ")\n";

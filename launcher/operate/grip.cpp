@@ -17,7 +17,7 @@
 #include "launcher/operate/operate.h"
 #include "robot/description/hand_of.h"
 #include "robot/description/load.h"
-#include "robot/hand/grippers.h"
+#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -54,6 +54,13 @@ double share_from(const std::string& word) {
   if (!parse_numbers(word, &share, 1) || !(share >= 0.0 && share <= 1.0))
     throw UsageError("grip: open, close, or a number from 0 (closed) to 1 (open), not '" + word + "'");
   return share;
+}
+
+// Where its joints are at a share of its opening: 0 closed, 1 open.
+std::vector<double> opened(const Gripper& gripper, double share) {
+  std::vector<double> q(gripper.joints.size());
+  for (std::size_t i = 0; i < q.size(); ++i) q[i] = gripper.closed[i] + share * (gripper.open[i] - gripper.closed[i]);
+  return q;
 }
 
 // Where the fingers are, 0 closed, 1 open: the mean of those that open.

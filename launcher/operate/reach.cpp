@@ -25,8 +25,9 @@
 #include "lcmtypes/msg/event_code.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/pace.h"
+#include "lcmtypes/msg/plan_refusal.h"
 #include "lcmtypes/msg/state_admission.h"
-#include "planner/arm_planner.h"
+#include "robot/collision/thing_name.h"
 #include "robot/description/hand_of.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
@@ -280,19 +281,17 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
   goal.goal_id = random_id();
   watcher.expect(goal.goal_id);
   ask(watcher, goal);
-  ArmPlan plan;  // as much of it as the message tells
-  plan.status = watcher.first.status;
-  plan.oriented = goal.kind == ArmGoalKind::kPose;
-  if (plan.status != ArmPathStatus::kOk) {
-    plan.touching = {thing_name(model, {}, watcher.first.link_a), thing_name(model, {}, watcher.first.link_b)};
-    plan.miss = static_cast<double>(watcher.first.miss);
-    plan.complaint = "the planner's event says why";
+  const ArmPathPiece& first = watcher.first;
+  if (first.status != ArmPathStatus::kOk) {
     // The message has no words; the event that follows it does.
     for (const std::int64_t start = monotonic_ns();
-         plan.status == ArmPathStatus::kBadGoal && watcher.goal_refusal.empty() && seconds_since(start) < kWords;)
+         first.status == ArmPathStatus::kBadGoal && watcher.goal_refusal.empty() && seconds_since(start) < kWords;)
       watcher.receive(0.02);
-    const bool told = plan.status == ArmPathStatus::kBadGoal && !watcher.goal_refusal.empty();
-    print_typed(stderr, "reach: %s\n", (told ? watcher.goal_refusal : describe(plan)).c_str());
+    const bool told = first.status == ArmPathStatus::kBadGoal && !watcher.goal_refusal.empty();
+    const ThingName a = thing_name(model, {}, first.link_a), b = thing_name(model, {}, first.link_b);
+    const bool oriented = goal.kind == ArmGoalKind::kPose;
+    const std::string why = plan_refusal(first.status, a.data(), b.data(), static_cast<double>(first.miss), oriented);
+    print_typed(stderr, "reach: %s\n", (told ? watcher.goal_refusal : why).c_str());
     return false;
   }
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);

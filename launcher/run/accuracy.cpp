@@ -206,8 +206,8 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
 
 std::string accuracy_line(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost) {
   std::string line = "accuracy: ";
-  if (choice.rung >= 0) {
-    const Rung& rung = choice.ladder.rungs[at(choice.rung)];
+  if (choice.chosen() != nullptr) {
+    const Rung& rung = *choice.chosen();
     line += formatted("order %d at %.3g ms, error %.3g mm", rung.order, 1e3 * rung.step,
                       1e3 * choice.ladder.estimate(at(choice.rung)));
     if (asked.error > 0.0) line += formatted(" of %.3g mm asked", 1e3 * asked.error);
@@ -227,8 +227,8 @@ std::string accuracy_json(const AccuracyChoice& choice, const AccuracyRequest& a
   json["asked_m"] = asked.error > 0.0 ? number(asked.error) : nlohmann::ordered_json();
   json["budget_s"] = asked.budget > 0.0 ? number(asked.budget) : nlohmann::ordered_json();
   json["seed"] = asked.seed;
-  if (choice.rung >= 0) {
-    const Rung& rung = choice.ladder.rungs[at(choice.rung)];
+  if (choice.chosen() != nullptr) {
+    const Rung& rung = *choice.chosen();
     json["error_estimate_m"] = number(choice.ladder.estimate(at(choice.rung)));
     json["order"] = rung.order;
     json["step_s"] = rung.step;

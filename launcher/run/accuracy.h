@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -38,6 +39,9 @@ struct AccuracyChoice {
   int rung = -1;       // -1: none holds the error, or fits the budget
   bool kept = false;   // the ladder came from the cache
   std::string reason;  // one sentence where rung is -1, or where the budget does not hold the error
+
+  const Rung* chosen() const { return rung >= 0 ? &ladder.rungs[static_cast<std::size_t>(rung)] : nullptr; }
+  double cost() const { return rung >= 0 ? chosen()->cost : std::nan(""); }  // of its physics [ms/s]; NaN: none was chosen
 };
 
 // --accuracy and --budget of `command`, else what the scene asks for.  Throws UsageError.

@@ -161,10 +161,8 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   json["travel_m"] = number(walked.travel());
   if (choice != nullptr) json["accuracy"] = nlohmann::ordered_json::parse(accuracy_json(*choice, accuracy, cost_of(run)));
   const TrustCounts& trust = run.trust();
-  auto& doubted = json["doubted_steps"];  // those after the last TRUTH too
-  doubted["any"] = trust.doubted;
-  for (std::size_t i = 0; i < kDoubts; ++i) doubted[kDoubtNames[i]] = trust.steps[i];
-  doubted["first_at_s"] = trust.doubted > 0 ? number(trust.first_at) : nlohmann::ordered_json();
+  auto& doubted = json["doubted_steps"];
+  doubted = doubts_json(trust);  // those after the last TRUTH too
   doubted["energy_gain_max_j"] = trust.energy_gain;
   doubted["first_seen_depth_max_mm"] = 1e3 * trust.first_depth;
   if (const auto swing = run.swing().seen()) {
@@ -217,7 +215,7 @@ int run_many(SeedsRequest seeds, const Model& model, const Scene& undrawn, const
              const RunRequest& request, const AccuracyChoice* choice, const AccuracyRequest& accuracy,
              const std::string& report) {
   if (choice != nullptr) {
-    const double cost = choice->rung >= 0 ? choice->ladder.rungs[at(choice->rung)].cost : std::nan("");
+    const double cost = choice->cost();
     seeds.accuracy = accuracy_json(*choice, accuracy, cost);
     seeds.measured = choice->rung >= 0;
     std::printf("%s, with seed %llu alone\n", accuracy_line(*choice, accuracy, cost).c_str(),

@@ -194,7 +194,7 @@ std::vector<ModelledPart> parts_of(const Opened& opened, const Moved& moved, con
 // What is modelled, what was left out and why, and what each costs, as a table and, where a file is named, a picture.
 void explain_less(const Opened& opened, const AccuracyChoice& choice, const std::string& file) {
   const Ladder& ladder = choice.ladder;
-  const Rung* chosen = choice.rung >= 0 ? &ladder.rungs[at(choice.rung)] : nullptr;
+  const Rung* chosen = choice.chosen();
   Less less = chosen != nullptr ? chosen->less : Less{};
   less.asleep = less.asleep || opened.scene.asleep;
   less.aloft.insert(less.aloft.end(), opened.scene.aloft.begin(), opened.scene.aloft.end());

@@ -56,6 +56,14 @@ std::string doubts_line(const TrustCounts& trust) {
   return line + formatted("), the first at %.3f s", trust.first_at);
 }
 
+nlohmann::ordered_json doubts_json(const TrustCounts& trust) {
+  nlohmann::ordered_json doubted;
+  doubted["any"] = trust.doubted;
+  for (std::size_t i = 0; i < kDoubts; ++i) doubted[kDoubtNames[i]] = trust.steps[i];
+  doubted["first_at_s"] = trust.doubted > 0 ? nlohmann::ordered_json(trust.first_at) : nlohmann::ordered_json();
+  return doubted;
+}
+
 MissedCounts missed_so_far(const StackMonitor& seen, std::int64_t now_ns) {
   MissedCounts counts;
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
@@ -223,11 +231,7 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["slip_max_mm"] = number(1e3 * f.slip_max);
   report["penetration_max_mm"] = number(1e3 * f.penetration_max);
   report["self_collision_ticks"] = f.self_collision_ticks;
-  const TrustCounts trust = doubts_of(f);
-  auto& doubted = report["doubted_steps"];
-  doubted["any"] = trust.doubted;
-  for (std::size_t i = 0; i < kDoubts; ++i) doubted[kDoubtNames[i]] = trust.steps[i];
-  doubted["first_at_s"] = trust.doubted > 0 ? number(trust.first_at) : nlohmann::json();
+  report["doubted_steps"] = doubts_json(doubts_of(f));
   report["foot_force_rms_error_n"] = nullptr;  // needs the reference, which only `run` has
   report["state_hash"] =
       state_hash.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state_hash);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,9 @@ RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const Miss
 
 // Which physics steps are not to be trusted, a line for people; empty: all are.
 std::string doubts_line(const TrustCounts& trust);
+
+// The same of a report: doubted_steps, with those of each kind.
+nlohmann::ordered_json doubts_json(const TrustCounts& trust);
 
 // Lines for people.
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request);

@@ -38,14 +38,14 @@ double time_for_physics(double period, double rate, bool lockstep) {
 }
 
 void keep_to_real_time(AccuracyChoice& choice, const AccuracyRequest& asked, double period, double most) {
-  const bool too_long = choice.rung >= 0 && share_of_period(choice.ladder.rungs[at(choice.rung)], period) > most;
+  const bool too_long = choice.chosen() != nullptr && share_of_period(*choice.chosen(), period) > most;
   const std::string leaves = formatted("real time leaves the physics %.3g ms of each control period", 1e3 * most);
   if (!too_long) {
     if (asked.budget > most && choice.reason.empty())
       choice.reason = formatted("a budget of %.3g ms does not fit real time: ", 1e3 * asked.budget) + leaves;
     return;
   }
-  const Rung wanted = choice.ladder.rungs[at(choice.rung)];
+  const Rung wanted = *choice.chosen();
   choice.rung = choice.ladder.choose_within(1e3 * most / period);
   choice.reason = formatted("%.3g mm does not fit real time: order %d at %.3g ms takes %.3g ms in the mean, and ", 1e3 * asked.error,
                             wanted.order, 1e3 * wanted.step, 1e3 * share_of_period(wanted, period)) +
@@ -85,8 +85,8 @@ std::vector<std::string> UpAccuracy::words() const {
   std::vector<std::string> words;
   if (!choice_) return words;
   if (asked_.error > 0.0) words.insert(words.end(), {"--accuracy", formatted("%.9g", asked_.error)});
-  if (choice_->rung < 0) return words;
-  const Rung& rung = choice_->ladder.rungs[at(choice_->rung)];
+  if (choice_->chosen() == nullptr) return words;
+  const Rung& rung = *choice_->chosen();
   words.insert(words.end(), {"--set", "solver.order=" + std::to_string(rung.order), "--step", formatted("%.12g", rung.step)});
   const TrustBands bands = rung.bands.times(kBand);
   for (const auto& [option, band] : {std::pair("--band-error", bands.off), std::pair("--band-gain", bands.gain),
@@ -97,10 +97,9 @@ std::vector<std::string> UpAccuracy::words() const {
 
 std::vector<std::string> UpAccuracy::lines() const {
   if (!choice_) return {};
-  const bool chosen = choice_->rung >= 0;
-  const double cost = chosen ? choice_->ladder.rungs[at(choice_->rung)].cost : std::nan("");
+  const double cost = choice_->cost();
   std::string line = accuracy_line(*choice_, asked_, cost);
-  if (chosen) line += formatted("; %.3g of %.3g ms of a control period", cost * period_, 1e3 * period_);
+  if (choice_->chosen() != nullptr) line += formatted("; %.3g of %.3g ms of a control period", cost * period_, 1e3 * period_);
   std::vector<std::string> lines{line};
   if (!choice_->reason.empty()) lines.push_back(choice_->reason);
   return lines;
@@ -113,14 +112,13 @@ bool UpAccuracy::drop() {
 }
 
 double UpAccuracy::step_or(double otherwise) const {
-  return choice_ && choice_->rung >= 0 ? choice_->ladder.rungs[at(choice_->rung)].step : otherwise;
+  return choice_ && choice_->chosen() != nullptr ? choice_->chosen()->step : otherwise;
 }
 
 std::string UpAccuracy::in_report(const std::string& report) const {
   if (!choice_) return report;
-  const double cost = choice_->rung >= 0 ? choice_->ladder.rungs[at(choice_->rung)].cost : std::nan("");
   auto json = nlohmann::ordered_json::parse(report);
-  json["accuracy"] = nlohmann::ordered_json::parse(accuracy_json(*choice_, asked_, cost));
+  json["accuracy"] = nlohmann::ordered_json::parse(accuracy_json(*choice_, asked_, choice_->cost()));
   return json.dump(2) + "\n";
 }
 

@@ -51,7 +51,8 @@ struct ToolEntry {
   std::string where;
 };
 
-// Fingers of a hand: robot/hand/grippers.h.
+// Of the map `grippers`, one group a hand; joints that follow another (<mimic>) move with it and are not named:
+//   right: {joints: [finger_joint1], open: [0.04], closed: [0]}   # [rad or m]
 struct GripperEntry {
   std::size_t side = 0;
   std::vector<std::string> joints;

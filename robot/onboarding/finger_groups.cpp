@@ -45,10 +45,7 @@ class Fingers {
   double apart(const Eigen::VectorXd& q) {
     Configuration c(model_);
     c.q = q;
-    for (int j = 0; j < model_.joint_count(); ++j) {
-      const Joint& joint = model_.joints[at(j)];
-      if (joint.mimic >= 0) c.q[j] = joint.mimic_multiplier * c.q[joint.mimic] + joint.mimic_offset;
-    }
+    set_mimics(model_, c);
     kinematics_.update(c);
     std::map<int, std::vector<Eigen::Vector3d>> fingers;  // by the link that carries them on the hand
     std::vector<Eigen::Vector3d> palm;

@@ -29,7 +29,7 @@ FingerGroups finger_groups(const Model& model, const Anatomy& anatomy);
 // Links of the group that the model does not exempt from touching each other yet, the smaller index first.
 std::vector<std::array<int, 2>> pairs_within(const FingerGroup& group, const Model& model);
 
-// The map `grippers` of robot.yaml (robot/hand/grippers.h); empty when there is none.
+// The map `grippers` of robot.yaml (robot/description/robot_yaml.h); empty when there is none.
 std::string gripper_yaml(const FingerGroups& groups, const Model& model);
 
 // How stiff a finger is that grips with all its effort within a share of its range [N m/rad or N/m], and what it moves with those

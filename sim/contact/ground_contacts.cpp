@@ -18,8 +18,6 @@ constexpr double kTangentMass = 15.0;  // [kg]
 constexpr double kHigh = 1.0;  // [m], more than the ground is ever uneven
 constexpr double kSure = 1e-6;  // more than distances are rounded by [m]
 
-constexpr int kSpineProbes = 5;
-constexpr int kRimProbes = 6;
 
 }  // namespace
 
@@ -134,40 +132,7 @@ void GroundContacts::add_probes(int link, const Shape& shape, const Model& model
     probes_.push_back(p);
     ++added.count;
   };
-  const Eigen::Vector3d& size = shape.size;
-  switch (shape.kind) {
-    case ShapeKind::kSphere:
-      probe(Eigen::Vector3d::Zero(), size.x());
-      break;
-    case ShapeKind::kBox:
-      for (int i = 0; i < 27; ++i) {
-        if (i == 13) continue;  // the middle of the box
-        probe({0.5 * (i % 3 - 1) * size.x(), 0.5 * (i / 3 % 3 - 1) * size.y(),
-               0.5 * (i / 9 - 1) * size.z()},
-              0.0);
-      }
-      break;
-    case ShapeKind::kCylinder: {
-      const double radius = size.x(), half = 0.5 * size.y();
-      if (half >= radius) {  // spheres along the spine
-        for (int i = 0; i < kSpineProbes; ++i) {
-          probe({0.0, 0.0, (half - radius) * (2.0 * i / (kSpineProbes - 1) - 1.0)}, radius);
-        }
-      } else {  // a disk: points of both rims
-        for (int i = 0; i < 2 * kRimProbes; ++i) {
-          const double angle = 2.0 * std::numbers::pi * (i / 2) / kRimProbes;
-          probe({radius * std::cos(angle), radius * std::sin(angle), i % 2 == 0 ? half : -half},
-                0.0);
-        }
-      }
-      break;
-    }
-    case ShapeKind::kMesh: {
-      const Eigen::Isometry3d in_shape = shape.pose.inverse();
-      for (const Eigen::Vector3d& corner : link_hull(shape).points) probe(in_shape * corner, 0.0);
-      break;
-    }
-  }
+  for (const TouchPoint& point : touch_points(shape)) probe(point.at, point.radius);
   const auto first = probes_.begin() + static_cast<std::ptrdiff_t>(added.first);
   const auto skin =
       std::stable_partition(first, probes_.end(), [](const LinkProbe& p) { return !p.skin; });

@@ -1,6 +1,8 @@
 #include "sim/world/link_hull.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "geometry/bounds/convex_hull.h"
 #include "geometry/bounds/shape_mesh.h"
@@ -10,6 +12,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kThinnest = 1e-3;  // [m]
+constexpr int kOfSpine = 5, kOfRim = 6;
 
 }  // namespace
 
@@ -36,6 +39,38 @@ TriangleMesh link_hull(const Shape& mesh) {
     hull.points.push_back(box.center() + sign.cwiseProduct(half));
   }
   return convex_hull(hull.points);
+}
+
+std::vector<TouchPoint> touch_points(const Shape& shape) {
+  std::vector<TouchPoint> points;
+  const Eigen::Vector3d& size = shape.size;
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      points.push_back({Eigen::Vector3d::Zero(), size.x()});
+      break;
+    case ShapeKind::kBox:
+      for (int i = 0; i < 27; ++i) {
+        if (i == 13) continue;  // the middle of the box
+        points.push_back({{0.5 * (i % 3 - 1) * size.x(), 0.5 * (i / 3 % 3 - 1) * size.y(), 0.5 * (i / 9 - 1) * size.z()}, 0.0});
+      }
+      break;
+    case ShapeKind::kCylinder: {
+      const double radius = size.x(), half = 0.5 * size.y();
+      for (int i = 0; half >= radius && i < kOfSpine; ++i)
+        points.push_back({{0.0, 0.0, (half - radius) * (2.0 * i / (kOfSpine - 1) - 1.0)}, radius});
+      for (int i = 0; half < radius && i < 2 * kOfRim; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i / 2) / kOfRim;
+        points.push_back({{radius * std::cos(angle), radius * std::sin(angle), i % 2 == 0 ? half : -half}, 0.0});
+      }
+      break;
+    }
+    case ShapeKind::kMesh: {
+      const Eigen::Isometry3d in_shape = shape.pose.inverse();
+      for (const Eigen::Vector3d& corner : link_hull(shape).points) points.push_back({in_shape * corner, 0.0});
+      break;
+    }
+  }
+  return points;
 }
 
 }  // namespace twinbus

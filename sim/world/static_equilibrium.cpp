@@ -132,8 +132,7 @@ void level_points(const Eigen::Matrix3Xd& point, const Eigen::Vector3d& com, Eig
   base.prerotate(Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()));
 }
 
-// Heights of all points of the feet with which they may meet the ground, as the engines do [m]: of balls, boxes and the corners of
-// meshes.
+// Heights of all points of the feet with which they may meet the ground, as engine articulated does [m].
 std::vector<double> heights_of(const Model& model, const StandingFeet& feet, const Kinematics& kinematics) {
   std::vector<double> heights;
   for (int foot = 0; foot < feet.count(); ++foot) {
@@ -141,13 +140,7 @@ std::vector<double> heights_of(const Model& model, const StandingFeet& feet, con
     const std::size_t before = heights.size();
     for (const Shape& shape : model.links[static_cast<std::size_t>(feet.link(foot))].collision) {
       const Eigen::Isometry3d pose = link * shape.pose;
-      if (shape.kind == ShapeKind::kSphere) heights.push_back(pose.translation().z() - shape.size.x());
-      for (int i = 0; shape.kind == ShapeKind::kBox && i < 27; ++i) {
-        const Eigen::Vector3d share(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        heights.push_back((pose * (0.5 * share.cwiseProduct(shape.size))).z());
-      }
-      if (shape.kind != ShapeKind::kMesh) continue;
-      for (const Eigen::Vector3d& corner : link_hull(shape).points) heights.push_back((link * corner).z());
+      for (const TouchPoint& point : touch_points(shape)) heights.push_back((pose * point.at).z() - point.radius);
     }
     if (heights.size() == before) heights.push_back(feet.point(foot).z());
   }

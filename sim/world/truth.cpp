@@ -96,6 +96,10 @@ void fill_truth(const Model& model, const FeltFeet& feet, const World& world, do
 void fill_doubts(const TrustCounts& counts, SimTruth& truth) noexcept {
   static_assert(std::tuple_size_v<decltype(truth.doubted)> == kDoubts);
   static_assert(static_cast<std::size_t>(last_of(StepDoubt{})) == kDoubts);
+  constexpr auto same = [](Doubt ours, StepDoubt theirs) { return static_cast<int>(ours) + 1 == static_cast<int>(theirs); };
+  static_assert(same(Doubt::kUnconverged, StepDoubt::kUnconverged) && same(Doubt::kUnsettled, StepDoubt::kUnsettled) &&
+                same(Doubt::kEnergy, StepDoubt::kEnergyGained) && same(Doubt::kDeep, StepDoubt::kFirstSeenDeep) &&
+                same(Doubt::kThrough, StepDoubt::kTunnelling) && same(Doubt::kCoarse, StepDoubt::kTooCoarse));
   constexpr long kMost = 1 << 30;
   truth.doubted_steps = static_cast<std::int32_t>(std::min(counts.doubted, kMost));
   for (std::size_t i = 0; i < kDoubts; ++i) truth.doubted[i] = static_cast<std::int32_t>(std::min(counts.steps[i], kMost));

@@ -118,7 +118,7 @@ TEST(StepGait, DiagonalPairsStepInTurnAndBothStandBetween) {
 TEST(StepGait, ACrawlLiftsOneFootAtATimeAndOnlyWhenItMay) {
   const PointFeetBody body(test::four_legged(1.0));
   StepGait gait(body, PointGait::kCrawl);
-  gait.begin_crawl();
+  gait.begin_crawl(false);
   std::array<int, 4> lifted{};
   int swinging = -1, most = 0;
   const double dt = 0.001;
@@ -143,7 +143,7 @@ TEST(StepGait, ACrawlLiftsOneFootAtATimeAndOnlyWhenItMay) {
     for (const int quarter : {0, 2}) EXPECT_EQ(gait.leg_of(quarter) < 2, backwards) << "of a side the front foot goes first backwards";
     EXPECT_EQ(gait.leg_of(0) % 2, gait.leg_of(1) % 2);
   }
-  gait.begin_crawl();
+  gait.begin_crawl(false);
   for (int i = 0; i < 5000; ++i) gait.advance(dt, false);
   for (int leg = 0; leg < 4; ++leg) EXPECT_FALSE(gait.swings(leg)) << "its weight is not above the others";
   gait.end();

@@ -201,7 +201,7 @@ TEST_F(LogTools, WhatTheSimulatorDoubtsIsSaidOncePerKindAndCountedInTheEnd) {
   EXPECT_NE(events.find("simulator: doubts a physics step: tunnelling\n"), std::string::npos) << events;
   for (const std::vector<std::string>& words : {std::vector<std::string>{file_}, {file_, "--check"}}) {
     const std::string info = said(&log_info, words);
-    EXPECT_NE(info.find("not to be trusted: 20 physics steps of run 3 since its 2.000 s (contacts that did not settle 20, tunnelling 1)"),
+    EXPECT_NE(info.find("not to be trusted: 20 physics steps of run 3 since its 2.000 s (unconverged 20, tunnelling 1)"),
               std::string::npos)
         << info;
   }

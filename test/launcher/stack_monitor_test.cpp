@@ -91,7 +91,6 @@ TEST(StackMonitor, DoubtedStepsAreCountedOnceAndOverSeveralWorlds) {
   EXPECT_EQ(seen.figures().doubted[3], 1);
   EXPECT_EQ(seen.figures().doubted[5], 2);
   EXPECT_EQ(seen.figures().doubted_since, 0.020);
-  EXPECT_EQ(seen.figures().last_doubt, StepDoubt::kTooCoarse);
   tell(8, 0.004, 5, 0);
   EXPECT_EQ(seen.figures().doubted_steps, 8);
   tell(8, 0.002, 1, 0);  // begun anew
