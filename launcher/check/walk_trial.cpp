@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "common/math/angle.h"
 #include "common/math/index.h"
 #include "common/text/formatted.h"
 #include "control/balance/balance.h"
@@ -34,7 +35,6 @@ constexpr double kGain = 1.08;         // a gait that does not walk so much fast
 constexpr double kPlenty = 0.16;       // of sqrt(g l) [1]: who walks so fast gives up no margin for more
 constexpr double kCalm = 0.5;          // of the usual gait's largest speed: where margins are compared
 constexpr double kMargin = 0.9;        // of the usual gait's least margin of the zero-moment point
-constexpr double kDegrees = 57.29577951308232;
 constexpr double kBeyondPatience = 4.0;    // of the processor's time, for slopes and pushes together [s]
 constexpr double kSteepest = 20.0, kHardest = 0.35;  // tried: [degrees]; change of velocity, of sqrt(g l)
 constexpr double kSlopeTilt = 10.0, kPushTilt = 20.0;  // [degrees]

@@ -1,5 +1,6 @@
 // `./twinbus reach`: brings a hand to a point: goal, plan, motion, and why not.
 
+#include "common/math/angle.h"
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>
@@ -364,7 +365,7 @@ ground frame: midway between the feet, x forward, z up.
               arguments.has("--frame") ? (" in " + arguments.text("--frame", "")).c_str() : "", 1e3 * miss);
   if (wish.oriented) {
     const double angle = Eigen::Quaterniond(shown.linear()).angularDistance(Eigen::Quaterniond(wish.place.linear()));
-    print_typed(stdout, ", turned %.1f degrees from it", angle * 180.0 / M_PI);
+    print_typed(stdout, ", turned %.1f degrees from it", kDegrees * angle);
   }
   print_typed(stdout, "\n");
   if (!(miss <= kReachFar)) {

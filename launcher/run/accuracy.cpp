@@ -16,6 +16,7 @@
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
+#include "common/text/quantity.h"
 #include "common/text/xml.h"
 #include "geometry/mesh_contact/contact_mesh.h"
 #include "robot/description/load.h"
@@ -141,13 +142,9 @@ Settings settings_of(const std::string& command, const Arguments& arguments, dou
 
 std::string read_budget(const std::string& text, double& seconds) {
   constexpr double kLeast = 1e-7, kMost = 10.0;
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  std::string unit(end);
-  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
-  const double scale = unit.empty() || unit == "ms" ? 1e-3 : unit == "us" ? 1e-6 : unit == "s" ? 1.0 : 0.0;
-  seconds = number * scale;
-  if (end != text.c_str() && seconds >= kLeast && seconds <= kMost) return "";
+  constexpr Unit kTimes[] = {{"", 1e-3}, {"ms", 1e-3}, {"us", 1e-6}, {"s", 1.0}};
+  seconds = quantity_of(text, kTimes);
+  if (seconds >= kLeast && seconds <= kMost) return "";
   return "must be a time of 100 ns to 10 s, in milliseconds or with a unit, such as 0.5ms, not '" + text + "'";
 }
 

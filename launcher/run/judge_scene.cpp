@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/math/angle.h"
 #include "common/text/formatted.h"
 #include "control/point_feet/point_feet_body.h"
 #include "lcmtypes/msg/labels.h"
@@ -16,8 +17,6 @@ std::string goals_text(const GoalWatch& goals) {
   return formatted("arm goals: %d asked, %d reached; the hand at most %.1f mm off, joints %.3f rad\n", goals.asked(),
                    goals.reached(), 1e3 * goals.hand_off(), goals.joint_off());
 }
-
-constexpr double kDegrees = 57.29577951308232;
 
 std::string sentence(const char* format, double reached, double asked) {
   if (!std::isfinite(reached)) {  // what stands before the number, and why there is none

@@ -1,5 +1,6 @@
 // `./twinbus run`: a scene in one process without a bus, as fast as it goes, with report and exit status.
 
+#include "common/math/angle.h"
 #include "launcher/commands/commands.h"
 
 #include <unistd.h>
@@ -35,7 +36,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
 constexpr double kFarthest = 1e5;                     // [m]
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]

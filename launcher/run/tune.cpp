@@ -1,5 +1,6 @@
 // `./twinbus tune`: the cheapest order and step that hold an error; `explain`: what of a scene is modelled, at what cost.
 
+#include "common/math/angle.h"
 #include "launcher/commands/commands.h"
 
 #include <algorithm>
@@ -24,7 +25,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
 constexpr double kLook = 1.0;  // of a scene, to see where its time goes [s]
 
 struct Opened {

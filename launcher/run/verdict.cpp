@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "common/math/angle.h"
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
 
@@ -16,7 +17,6 @@ constexpr double kMissedWithFifo = 0.001;  // share of ticks
 constexpr double kMissedWithoutFifo = 0.01;
 constexpr double kMachineTooBad = 0.01;  // share of ticks that a bare timer missed
 constexpr double kRateTolerance = 0.01;  // share of the rate asked for
-constexpr double kDegrees = 57.29577951308232;
 
 bool is_source(ProcessKind kind) {
   return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge;

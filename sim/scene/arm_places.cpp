@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "common/math/angle.h"
 #include "common/math/index.h"
 #include "common/math/splitmix64.h"
 #include "common/text/formatted.h"
@@ -37,7 +38,6 @@ constexpr double kSpinWeight = 0.05;  // of how such a hand is turned, against w
 constexpr int kSpins = 8;  // until a hand that may turn about where it points has found how
 constexpr double kAlong = 0.02;  // such a hand may point off [rad]
 constexpr int kSteps = 12;       // to half a turn
-constexpr double kDegrees = 180.0 / M_PI;
 
 // Of the places of a scene around an arm.
 struct Placement {

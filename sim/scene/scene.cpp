@@ -9,6 +9,7 @@
 
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
+#include "common/text/quantity.h"
 #include "common/text/strict_yaml.h"
 #include "common/text/xml.h"
 #include "robot/description/load.h"
@@ -302,18 +303,9 @@ std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const st
 }  // namespace
 
 double metres_of(const std::string& text) {
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  std::string unit(end);
-  unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size()
-                                                                  : unit.find_first_not_of(' '));
-  const double scale = unit.empty() || unit == "m" ? 1.0
-                       : unit == "cm"              ? 1e-2
-                       : unit == "mm"              ? 1e-3
-                       : unit == "um"              ? 1e-6
-                                                   : 0.0;
-  const double metres = number * scale;
-  return end != text.c_str() && std::isfinite(metres) && metres > 0.0 ? metres : 0.0;
+  constexpr Unit kLengths[] = {{"", 1.0}, {"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}};
+  const double metres = quantity_of(text, kLengths);
+  return std::isfinite(metres) && metres > 0.0 ? metres : 0.0;
 }
 
 std::string read_accuracy(const std::string& text, double& metres) {

@@ -1,6 +1,8 @@
 #include "common/text/xml.h"
 
-#include "fixtures.h"
+#include <gtest/gtest.h>
+
+#include "test/error_of.h"
 
 namespace twinbus::test {
 namespace {

@@ -1,7 +1,10 @@
+#include "common/text/strict_yaml.h"
+
+#include <gtest/gtest.h>
+
 #include <limits>
 
-#include "common/text/strict_yaml.h"
-#include "fixtures.h"
+#include "test/error_of.h"
 
 namespace twinbus::test {
 namespace {
