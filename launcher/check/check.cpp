@@ -358,8 +358,8 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
   --cells  instead: finds what links with few joints between them can touch with, and keeps it in the user's cache (seconds; \
       makes the exact check of all pairs faster)
   --write FILE  with --pairs: writes the SRDF with all proved pairs and reasons
-  --mend  of a URDF: inertias that no body has, limits and axes that are none, meshes far from where they are drawn, left and \
-      right exchanged are put right in the copy; each change is said
+  --mend  of a URDF: inertias that no body has, limits and axes that are none, meshes far from where they are drawn, legs \
+      whose ranges are no mirror images, left and right exchanged are put right in the copy; each change is said
   --propose FOLDER  writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into \
       FOLDER
   --spec SPEC.yaml  with --propose: rotors (armature) and friction of joints that the robot's files do not say are taken from \

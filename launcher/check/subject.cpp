@@ -119,6 +119,8 @@ CheckSubject load_subject(const std::string& name, bool mends) {
   if (mends) {
     subject.text = mend_sides(subject.text, subject.urdf, subject.repaired, subject.mended);
     repair(subject);
+    subject.text = mend_images(subject.text, subject.urdf, subject.repaired, subject.mended);
+    repair(subject);
   }
   if (const std::vector<std::string> meshes = meshes_to_turn(subject.repaired); !meshes.empty()) {
     subject.text = with_turned_meshes(subject.text, meshes);

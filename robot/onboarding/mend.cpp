@@ -13,6 +13,7 @@
 #include "common/text/xml.h"
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/base_turn.h"
+#include "robot/onboarding/mirrored_ranges.h"
 
 namespace twinbus {
 
@@ -397,6 +398,24 @@ std::string mend_sides(const std::string& text, const std::string& file, const M
   changes.push_back("robot: what is called left is on the right, and the feet point forward: left and right are exchanged in " +
                     std::to_string(names.size()) + " names of links and joints");
   return written(robot);
+}
+
+std::string mend_images(const std::string& text, const std::string& file, const Model& model, std::vector<std::string>& changes) {
+  XmlElement robot = parse_xml(text, file);
+  const std::size_t before = changes.size();
+  for (const UnmirroredRange& fault : unmirrored_ranges(model, find_anatomy(model, {}).leg_joints)) {
+    const Joint& other = model.joints[static_cast<std::size_t>(fault.other)];
+    for (XmlElement& joint : robot.children) {
+      XmlElement* limit = joint.name == "joint" && name_of(joint) == other.name ? child_of(joint, "limit") : nullptr;
+      if (!fault.of_leg || limit == nullptr) continue;
+      write(*limit, "lower", number(fault.lower));
+      write(*limit, "upper", number(fault.upper));
+      changes.push_back("joint " + other.name + ": its range of " + number(other.lower) + " to " + number(other.upper) +
+                        " is not the mirror image of that of " + model.joints[static_cast<std::size_t>(fault.kept)].name +
+                        ", which legs need more: " + number(fault.lower) + " to " + number(fault.upper));
+    }
+  }
+  return changes.size() == before ? text : written(robot);
 }
 
 }  // namespace twinbus

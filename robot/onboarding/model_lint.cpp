@@ -11,7 +11,9 @@
 
 #include "common/text/formatted.h"
 #include "robot/estimation/point_legs.h"
+#include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/mend.h"
+#include "robot/onboarding/mirrored_ranges.h"
 #include "robot/description/link_points.h"
 #include "geometry/mesh/mesh_file.h"
 
@@ -38,6 +40,7 @@ class Looker {
     }
     for (const Joint& joint : model_.joints) look_at_limits(joint);
     look_at_partners();
+    look_at_images();
     if (model_.floating_base && !(model_.total_mass() >= 0.5 && model_.total_mass() <= 500.0)) {
       add("robot", "weighs " + number(model_.total_mass()) + " kg", "are the masses in kg?");
     }
@@ -190,6 +193,18 @@ class Looker {
                 " on the other side " + number(right.effort),
             "is one of them wrong?");
       }
+    }
+  }
+
+  // The same of what is on the other side, whatever it is called, as the axes are.
+  void look_at_images() {
+    for (const UnmirroredRange& fault : unmirrored_ranges(model_, find_anatomy(model_, {}).leg_joints)) {
+      const Joint& kept = model_.joints[static_cast<std::size_t>(fault.kept)];
+      const Joint& other = model_.joints[static_cast<std::size_t>(fault.other)];
+      add("joint " + other.name,
+          "turns the other way than " + kept.name + ", its mirror image: " + number(other.lower) + " to " + number(other.upper) +
+              " rad about its axis, where the image of that one's range is " + number(fault.lower) + " to " + number(fault.upper),
+          fault.of_leg ? "correct one of the two, or the axis; --mend takes the range that legs need" : "correct one of the two, or the axis");
     }
   }
 

@@ -1,0 +1,77 @@
+#include "robot/onboarding/mirrored_ranges.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/anatomy.h"
+#include "robot/onboarding/rest_pairs.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kAlike = 0.01;     // limits of left and right [rad]
+constexpr double kParallel = 0.98;  // cosine between an axis and the image of the other
+
+bool same(double a, double b) { return std::abs(a - b) <= kAlike; }
+
+using Range = std::pair<double, double>;
+
+Range range_of(const Joint& joint) { return {joint.lower, joint.upper}; }
+Range turned(const Range& r) { return {-r.second, -r.first}; }
+bool same(const Range& a, const Range& b) { return same(a.first, b.first) && same(a.second, b.second); }
+
+// How far the joint goes the way that a leg needs most [rad].  first: no pitch joint is above it in its leg.
+double way_that_counts(const Joint& joint, const Eigen::Vector3d& axis, bool on_left, bool first) {
+  Eigen::Index main = 0;
+  axis.cwiseAbs().maxCoeff(&main);
+  // About +y a leg goes back, a shank bends as knees do, toes go down; about +x the left leg goes out, about +z its toes turn out.
+  const bool along = main == 1 ? !first : on_left;
+  return along == (axis[main] > 0.0) ? joint.upper : -joint.lower;
+}
+
+}  // namespace
+
+std::vector<UnmirroredRange> unmirrored_ranges(const Model& model, const std::vector<int>& legs) {
+  std::vector<UnmirroredRange> found;
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  Kinematics k(model);
+  k.update(c);
+  const std::vector<int> images = mirror_images(model);
+  const auto is_of_leg = [&](int joint) { return std::find(legs.begin(), legs.end(), joint) != legs.end(); };
+  const auto is_first_pitch = [&](int link) {
+    for (int up = model.links[at(link)].parent; up > 0; up = model.links[at(up)].parent) {
+      if (is_of_leg(up - 1) && std::abs(k.axis_in_world(up - 1).y()) > 0.7) return false;
+    }
+    return true;
+  };
+  for (int link = 1; link < model.link_count(); ++link) {
+    const int image = images[at(link)];
+    if (image <= link || images[at(image)] != link) continue;
+    const Joint &a = model.joints[at(link - 1)], &b = model.joints[at(image - 1)];
+    if (a.kind != JointKind::kRevolute || b.kind != JointKind::kRevolute) continue;
+    const Eigen::Vector3d axis_a = k.axis_in_world(link - 1), axis_b = k.axis_in_world(image - 1);
+    const double along = Eigen::Vector3d(-axis_a.x(), axis_a.y(), -axis_a.z()).dot(axis_b);
+    if (std::abs(along) < kParallel) continue;
+    const bool equal = along > 0.0;
+    const auto in_mirror = [&](const Range& r) { return equal ? r : turned(r); };
+    if (same(in_mirror(range_of(a)), range_of(b)) || !same(turned(in_mirror(range_of(a))), range_of(b))) continue;
+    UnmirroredRange fault;
+    fault.of_leg = is_of_leg(link - 1) && is_of_leg(image - 1);
+    const bool a_on_left = k.com_of_link(link).y() > 0.0, first = is_first_pitch(link);
+    const bool keeps_a = way_that_counts(a, axis_a, a_on_left, first) >= way_that_counts(b, axis_b, !a_on_left, first);
+    fault.kept = keeps_a ? link - 1 : image - 1;
+    fault.other = keeps_a ? image - 1 : link - 1;
+    std::tie(fault.lower, fault.upper) = in_mirror(range_of(model.joints[at(fault.kept)]));
+    found.push_back(fault);
+  }
+  return found;
+}
+
+}  // namespace twinbus
