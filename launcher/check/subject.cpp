@@ -114,6 +114,12 @@ CheckSubject load_subject(const std::string& name, bool mends) {
   const std::string read = subject.mjcf ? urdf_of_mjcf(subject.urdf, source) : read_text_file(subject.urdf);
   if (!subject.mjcf) source.packages = find_packages(subject.urdf);
   subject.text = with_packages(read, subject.urdf, source.packages);
+  std::string left_out;
+  subject.text = without_floating_root(subject.text, subject.urdf, left_out);
+  if (!left_out.empty()) {
+    source.floating = true;
+    source.notes.push_back("the copy of the URDF is without " + left_out + ", which say no more than that the base moves freely");
+  }
   if (mends) subject.text = mend_urdf(subject.text, subject.urdf, subject.mended);
   repair(subject);
   if (mends) {

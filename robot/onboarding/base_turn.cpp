@@ -119,4 +119,35 @@ std::string with_root_above(const std::string& urdf_text, const std::string& roo
   return text + urdf_text.substr(end);
 }
 
+std::string without_floating_root(const std::string& urdf_text, const std::string& file, std::string& left_out) {
+  XmlElement robot = parse_xml(urdf_text, file);
+  const auto named = [](const XmlElement& joint, const char* role) {
+    const XmlElement* end = joint.child(role);
+    const std::string* link = end == nullptr ? nullptr : end->attribute("link");
+    return link == nullptr ? std::string() : *link;
+  };
+  const auto is_joint = [](const XmlElement& part) { return part.name == "joint" && part.attribute("name") != nullptr; };
+  const auto floats = [&](const XmlElement& part) {
+    const std::string* type = is_joint(part) ? part.attribute("type") : nullptr;
+    return type != nullptr && *type == "floating";
+  };
+  const auto joint = std::find_if(robot.children.begin(), robot.children.end(), floats);
+  if (joint == robot.children.end()) return urdf_text;
+  const std::string name = *joint->attribute("name"), root = named(*joint, "parent");
+  const bool alone = std::none_of(robot.children.begin(), robot.children.end(), [&](const XmlElement& part) {
+    if (is_joint(part)) return named(part, "child") == root || (&part != &*joint && named(part, "parent") == root);
+    const std::string* its = part.name == "link" ? part.attribute("name") : nullptr;
+    return its != nullptr && *its == root && (part.child("inertial") != nullptr || part.child("collision") != nullptr);
+  });
+  if (root.empty() || !alone) return urdf_text;
+  std::erase_if(robot.children, [&](const XmlElement& part) {
+    const std::string* its = part.attribute("name");
+    return its != nullptr && ((part.name == "joint" && *its == name) || (part.name == "link" && *its == root));
+  });
+  left_out = "joint " + name + " and link " + root;
+  std::string text = "<?xml version=\"1.0\"?>\n<!-- Without its floating joint, by `twinbus check`. -->\n";
+  append_xml(robot, text);
+  return text;
+}
+
 }  // namespace twinbus

@@ -28,4 +28,8 @@ std::string free_root_name(const std::string& urdf_text, const std::string& file
 std::string with_root_above(const std::string& urdf_text, const std::string& root_link, const std::string& new_root,
                             const Eigen::Isometry3d& pose, const std::string& why);
 
+// A joint of type floating below a root link that is nothing else (no mass, no geometry, nothing else hangs on it) says in a URDF what
+// robot.yaml says with `base: floating`: the text without both, and their names in `left_out`; else the text as it is.
+std::string without_floating_root(const std::string& urdf_text, const std::string& file, std::string& left_out);
+
 }  // namespace twinbus

@@ -26,12 +26,13 @@ Range range_of(const Joint& joint) { return {joint.lower, joint.upper}; }
 Range turned(const Range& r) { return {-r.second, -r.first}; }
 bool same(const Range& a, const Range& b) { return same(a.first, b.first) && same(a.second, b.second); }
 
-// How far the joint goes the way that a leg needs most [rad].  first: no pitch joint is above it in its leg.
-double way_that_counts(const Joint& joint, const Eigen::Vector3d& axis, bool on_left, bool first) {
+// How far the joint goes the way that a leg needs most [rad].  in_middle: its leg has joints that turn about y above and below it.
+double way_that_counts(const Joint& joint, const Eigen::Vector3d& axis, bool on_left, bool in_middle) {
   Eigen::Index main = 0;
   axis.cwiseAbs().maxCoeff(&main);
-  // About +y a leg goes back, a shank bends as knees do, toes go down; about +x the left leg goes out, about +z its toes turn out.
-  const bool along = main == 1 ? !first : on_left;
+  // About +y a leg goes back, a shank bends as knees do, toes go down, about -y a shank leans forward on its foot; about +x the left
+  // leg goes out, about +z its toes turn out.
+  const bool along = main == 1 ? in_middle : on_left;
   return along == (axis[main] > 0.0) ? joint.upper : -joint.lower;
 }
 
@@ -45,11 +46,20 @@ std::vector<UnmirroredRange> unmirrored_ranges(const Model& model, const std::ve
   k.update(c);
   const std::vector<int> images = mirror_images(model);
   const auto is_of_leg = [&](int joint) { return std::find(legs.begin(), legs.end(), joint) != legs.end(); };
-  const auto is_first_pitch = [&](int link) {
-    for (int up = model.links[at(link)].parent; up > 0; up = model.links[at(up)].parent) {
-      if (is_of_leg(up - 1) && std::abs(k.axis_in_world(up - 1).y()) > 0.7) return false;
+  const auto turns_about_y = [&](int link) { return is_of_leg(link - 1) && std::abs(k.axis_in_world(link - 1).y()) > 0.7; };
+  const auto hangs_below = [&](int link, int high) {
+    for (link = model.links[at(link)].parent; link > 0; link = model.links[at(link)].parent) {
+      if (link == high) return true;
     }
-    return true;
+    return false;
+  };
+  const auto is_in_middle = [&](int link) {
+    bool above = false, below = false;
+    for (const int j : legs) {
+      above = above || (turns_about_y(j + 1) && hangs_below(link, j + 1));
+      below = below || (turns_about_y(j + 1) && hangs_below(j + 1, link));
+    }
+    return above && below;
   };
   for (int link = 1; link < model.link_count(); ++link) {
     const int image = images[at(link)];
@@ -64,8 +74,8 @@ std::vector<UnmirroredRange> unmirrored_ranges(const Model& model, const std::ve
     if (same(in_mirror(range_of(a)), range_of(b)) || !same(turned(in_mirror(range_of(a))), range_of(b))) continue;
     UnmirroredRange fault;
     fault.of_leg = is_of_leg(link - 1) && is_of_leg(image - 1);
-    const bool a_on_left = k.com_of_link(link).y() > 0.0, first = is_first_pitch(link);
-    const bool keeps_a = way_that_counts(a, axis_a, a_on_left, first) >= way_that_counts(b, axis_b, !a_on_left, first);
+    const bool a_on_left = k.com_of_link(link).y() > 0.0, in_middle = is_in_middle(link);
+    const bool keeps_a = way_that_counts(a, axis_a, a_on_left, in_middle) >= way_that_counts(b, axis_b, !a_on_left, in_middle);
     fault.kept = keeps_a ? link - 1 : image - 1;
     fault.other = keeps_a ? image - 1 : link - 1;
     std::tie(fault.lower, fault.upper) = in_mirror(range_of(model.joints[at(fault.kept)]));

@@ -13,7 +13,7 @@
 namespace twinbus {
 
 struct UnmirroredRange {
-  int kept = 0;    // joint whose range allows more of what legs need: hips forward and outward, knees back, toes down
+  int kept = 0;    // joint whose range allows more of what legs need: hips forward and outward, knees back, shanks forward
   int other = 0;   // its image, whose range is another
   double lower = 0.0, upper = 0.0;  // what other's range is if it is the image of kept's [rad]
   bool of_leg = false;              // elsewhere nothing says which of the two is right
