@@ -125,6 +125,8 @@ CheckSubject load_subject(const std::string& name, bool mends) {
   if (mends) {
     subject.text = mend_sides(subject.text, subject.urdf, subject.repaired, subject.mended);
     repair(subject);
+    subject.text = mend_far_inertias(subject.text, subject.urdf, subject.repaired, subject.mended);
+    repair(subject);
     subject.text = mend_images(subject.text, subject.urdf, subject.repaired, subject.mended);
     repair(subject);
   }

@@ -14,6 +14,7 @@
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/base_turn.h"
 #include "robot/onboarding/mirrored_ranges.h"
+#include "robot/description/link_points.h"
 
 namespace twinbus {
 
@@ -27,6 +28,7 @@ constexpr double kDust = 1e-12;         // [kg m^2]
 constexpr double kPlainMass = 1.0;      // [kg]
 constexpr double kPlainEffort = 100.0, kPlainSpeed = 3.0, kPlainSlide = 0.3;  // [N m or N], [rad/s], [m/s]
 constexpr double kLeastSize = 0.001;    // [m]
+constexpr double kFarShell = 3.0;       // of what its geometry allows: nine times the largest moment
 constexpr std::array<const char*, 6> kMoments{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
 
 std::string number(double value) {
@@ -325,6 +327,23 @@ void rename(XmlElement& element, const std::map<std::string, std::string>& names
   for (XmlElement& child : element.children) rename(child, names);
 }
 
+// The link and those that are fixed to it.
+std::vector<std::string> fixed_to(const XmlElement& robot, const std::string& link) {
+  std::vector<std::string> parts{link};
+  const auto end = [](const XmlElement& joint, const char* role) {
+    const XmlElement* element = joint.child(role);
+    const std::string* name = element == nullptr ? nullptr : element->attribute("link");
+    return name == nullptr ? std::string() : *name;
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (const XmlElement& joint : robot.children) {
+      const std::string* type = joint.name == "joint" ? joint.attribute("type") : nullptr;
+      if (type != nullptr && *type == "fixed" && end(joint, "parent") == parts[i]) parts.push_back(end(joint, "child"));
+    }
+  }
+  return parts;
+}
+
 std::string written(const XmlElement& robot) {
   std::string text = "<?xml version=\"1.0\"?>\n<!-- Mended by `twinbus check`. -->\n";
   append_xml(robot, text);
@@ -332,6 +351,11 @@ std::string written(const XmlElement& robot) {
 }
 
 }  // namespace
+
+double shell_radius(const Link& link) {
+  if (!(link.mass > 0.0)) return 0.0;
+  return std::sqrt(1.5 * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertia).eigenvalues()[2] / link.mass);
+}
 
 std::vector<std::string> names_on_other_side(const std::string& name) {
   std::vector<std::string> found;
@@ -413,6 +437,35 @@ std::string mend_images(const std::string& text, const std::string& file, const 
       changes.push_back("joint " + other.name + ": its range of " + number(other.lower) + " to " + number(other.upper) +
                         " is not the mirror image of that of " + model.joints[static_cast<std::size_t>(fault.kept)].name +
                         ", which legs need more: " + number(fault.lower) + " to " + number(fault.upper));
+    }
+  }
+  return changes.size() == before ? text : written(robot);
+}
+
+std::string mend_far_inertias(const std::string& text, const std::string& file, const Model& model,
+                              std::vector<std::string>& changes) {
+  XmlElement robot = parse_xml(text, file);
+  const std::size_t before = changes.size();
+  for (const Link& link : model.links) {
+    double reach = 0.0;
+    for (const Eigen::Vector3d& point : link_points(link)) reach = std::max(reach, (point - link.com).norm());
+    const double shell = shell_radius(link);
+    if (!(reach > 0.0) || !(shell > kFarShell * reach)) continue;
+    const std::vector<std::string> parts = fixed_to(robot, link.name);
+    for (XmlElement& element : robot.children) {
+      if (element.name != "link" || std::find(parts.begin(), parts.end(), name_of(element)) == parts.end()) continue;
+      XmlElement* inertial = child_of(element, "inertial");
+      XmlElement* inertia = inertial == nullptr ? nullptr : child_of(*inertial, "inertia");
+      const XmlElement* mass = inertial == nullptr ? nullptr : inertial->child("mass");
+      double most = 0.0, moment = 0.0, weighs = 0.0;
+      for (const char* key : {"ixx", "iyy", "izz"}) {
+        if (inertia != nullptr && read(*inertia, key, moment)) most = std::max(most, moment);
+      }
+      if (mass == nullptr || !read(*mass, "value", weighs) || !(std::sqrt(1.5 * most / weighs) > kFarShell * reach)) continue;
+      for (const char* key : kMoments) write(*inertia, key, "0");
+      changes.push_back("link " + name_of(element) + ": its inertia is that of a shell of radius " +
+                        number(std::sqrt(1.5 * most / weighs)) + " m, and its geometry ends at " + number(reach) +
+                        " m: that of a box around its geometry is taken, or, where it is fixed to another, of a point of its mass");
     }
   }
   return changes.size() == before ? text : written(robot);

@@ -29,6 +29,14 @@ std::string mend_sides(const std::string& text, const std::string& file, const M
 // legs need less is replaced.
 std::string mend_images(const std::string& text, const std::string& file, const Model& model, std::vector<std::string>& changes);
 
+// The inertia of a link that none within three times its geometry has (other units, or about another point) becomes that of a box
+// around the geometry.
+std::string mend_far_inertias(const std::string& text, const std::string& file, const Model& model,
+                              std::vector<std::string>& changes);
+
+// A body within a ball of radius r about its centre of mass has moments of at most 2/3 m r^2: the r of the largest one [m].
+double shell_radius(const Link& link);
+
 // What the same part is called on the other side, as far as names tell; several guesses or none.
 std::vector<std::string> names_on_other_side(const std::string& name);
 

@@ -80,13 +80,12 @@ class Looker {
     if (points.empty()) return;
     double reach = 0.0;  // from the centre of mass
     for (const Eigen::Vector3d& point : points) reach = std::max(reach, (point - link.com).norm());
-    // A body within a ball of radius r has moments of at most 2/3 m r^2; within a smaller one, of less.
-    const double most = std::sqrt(1.5 * m[2] / link.mass);
+    const double most = shell_radius(link);
     if (most > 1.2 * reach) {
       add(about,
           "has the inertia of a shell of radius " + number(most) + " m; its geometry ends at " +
               number(reach) + " m",
-          "is the inertia about the centre of mass, in kg m^2?");
+          "is the inertia about the centre of mass, in kg m^2?  --mend takes a box's where it is three times as far");
     }
     if (std::sqrt(m[2] / link.mass) < 0.02 * reach) {
       add(about,

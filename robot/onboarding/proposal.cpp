@@ -40,6 +40,7 @@ constexpr double kLeastStiffness = 1.0;   // [N m/rad]
 constexpr double kTipping = 6.0, kTippingAside = 4.0;
 constexpr double kArmStiffness = 150.0;  // [1/rad], times the moment of what hangs on the joint
 constexpr double kStuck = 0.005;         // what friction may leave such a joint off [rad]
+constexpr double kSag = 0.0005, kStuckSliding = 0.0005;  // of a joint that slides: by its load if it is upright, by friction [m]
 constexpr double kGears = 0.01;          // of its effort a joint rubs where the file does not say more
 constexpr double kFastest = 500.0;       // of a light joint that is stiff for that [rad/s]
 
@@ -390,24 +391,23 @@ class Writer {
     c.q = posture_;
     Kinematics k(model_);
     k.update(c);
-    double moment = 0.0;  // of what hangs on the joint, at worst [N m]
+    const bool slides = joint.kind == JointKind::kPrismatic;
+    double moment = 0.0;  // of what hangs on the joint, at worst [N m]; of one that slides its weight [N]
     double inertia = joint.rotor_inertia;
-    bool carries_hand = false;
-    for (const Hand& hand : anatomy_.hands)
-      carries_hand = carries_hand || (hand.link > 0 && above(j + 1, hand.link));
     int hands = 0;
-    for (const Hand& hand : anatomy_.hands)
-      hands += hand.link > 0 && above(j + 1, hand.link) ? 1 : 0;
+    for (const Hand& hand : anatomy_.hands) hands += hand.link > 0 && above(j + 1, hand.link) ? 1 : 0;
     for (int i = j + 1; i < model_.link_count(); ++i) {
       if (!above(j + 1, i)) continue;
-      const double arm = (k.com_of_link(i) - k.link_in_world(j + 1).translation()).norm();
+      const double arm = slides ? 1.0 : (k.com_of_link(i) - k.link_in_world(j + 1).translation()).norm();
       moment += model_.links[at(i)].mass * kGravity * arm;
-      inertia += model_.links[at(i)].mass * arm * arm + model_.links[at(i)].inertia.trace() / 3.0;
+      inertia += model_.links[at(i)].mass * arm * arm + (slides ? 0.0 : model_.links[at(i)].inertia.trace() / 3.0);
     }
     const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) !=
                      anatomy_.leg_joints.end();
-    const double against_gears = std::min(kGears * joint.effort / kStuck, kFastest * kFastest * inertia);
-    double kp = std::max({kArmStiffness * moment, joint.friction / kStuck, against_gears, kLeastStiffness});
+    const double stuck = slides ? kStuckSliding : kStuck;
+    const double against_gears = std::min(kGears * joint.effort / stuck, kFastest * kFastest * inertia);
+    const double against_load = slides ? moment / kSag : kArmStiffness * moment;
+    double kp = std::max({against_load, joint.friction / stuck, against_gears, kLeastStiffness});
     double kd = 1.4 * std::sqrt(kp * inertia);
     if (leg && points_) {
       kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height(model_, *points_, posture_);

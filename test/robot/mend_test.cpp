@@ -114,6 +114,24 @@ TEST(Mend, LeavesWhatIsRightAsItIsToTheLetter) {
   EXPECT_TRUE(changes.empty());
 }
 
+// kg cm^2, as drawing programs write it.
+TEST(Mend, AnInertiaOfAnotherUnitBecomesThatOfABox) {
+  const auto robot = [](double unit) {
+    std::string moments;
+    for (const char* key : {"ixx", "iyy", "izz"}) moments += std::string(key) + "='" + std::to_string(0.01 * unit) + "' ";
+    return "<robot name='r'>" + link("base", kGood) + link("a", moments + "ixy='0' ixz='0' iyz='0'") +
+           joint("j", "base", "a", "lower='-3' upper='3' effort='20' velocity='2'") + "</robot>";
+  };
+  std::vector<std::string> changes;
+  EXPECT_EQ(mend_far_inertias(robot(1.0), "mend.urdf", loaded(robot(1.0)), changes), robot(1.0));
+  const std::string mended = mend_far_inertias(robot(1e4), "mend.urdf", loaded(robot(1e4)), changes);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NE(changes[0].find("link a: its inertia is that of a shell of radius"), std::string::npos) << changes[0];
+  const Model model = loaded(mended);
+  const double expected = 2.0 / 12.0 * (0.2 * 0.2 + 0.1 * 0.1);  // of 2 kg, 0.3 x 0.2 x 0.1 m
+  EXPECT_NEAR(model.links[static_cast<std::size_t>(model.find_link("a"))].inertia(0, 0), expected, 1e-9);
+}
+
 TEST(Mend, LeftAndRightExchangedAreExchangedBack) {
   const Model right = load_robot("hrp1s");
   const Model bare = load_urdf(right.folder + "/hrp1s.urdf", {});
