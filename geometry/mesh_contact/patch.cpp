@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <limits>
 
 #include "common/math/index.h"
@@ -204,6 +205,23 @@ bool PatchFinder::with_ground(const ContactMesh& a, const Eigen::Isometry3d& pos
     if (polygon.count > 2) sum.add(polygon, face.height, depth);
   }
   return sum.finish(frame, patch);
+}
+
+Patch ball_patch(double radius, double other_radius, const Eigen::Vector3d& centre, double depth,
+                 const Eigen::Vector3d& normal) noexcept {
+  Patch patch;
+  const double round = 1.0 / (1.0 / radius + 1.0 / other_radius);
+  const double cap = std::min(depth, round);
+  patch.volume = std::numbers::pi * cap * cap * (round - cap / 3.0);
+  patch.area = std::numbers::pi * cap * (2.0 * round - cap);
+  const double mean = patch.volume / patch.area;
+  // Of the squared depth of the cap that lies above a sphere's own lowest plane, less that of its mean.
+  patch.rough =
+      std::max(0.0, 2.0 * std::numbers::pi * cap * cap * cap * (round / 3.0 - cap / 12.0) -
+                        patch.volume * mean);
+  patch.normal = normal;
+  for (PatchPoint& point : patch.point) point = {centre - (radius - 0.5 * depth) * normal, mean};
+  return patch;
 }
 
 }  // namespace twinbus

@@ -68,6 +68,11 @@ struct PatchFrame {
   double height(const Eigen::Vector3d& point) const noexcept { return normal.dot(point - origin); }
 };
 
+// Of a ball that is so deep in something flat or of another radius, in closed form: the cap of a sphere.  normal: out of that.
+// Each of its points is the one on which it rolls.
+Patch ball_patch(double radius, double other_radius, const Eigen::Vector3d& centre, double depth,
+                 const Eigen::Vector3d& normal) noexcept;
+
 // Of polygons that do not overlap.
 class PatchSum {
  public:

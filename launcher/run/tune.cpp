@@ -138,7 +138,7 @@ void print_model(const Opened& opened) {
               model.name.c_str(), model.link_count(), model.joint_count(), locked, follow, rotors,
               rubbing, scene.fixed_base || !model.floating_base ? "fixed" : "free");
   std::printf("soles        %s, springs and dampers; links: %s\n",
-              scene.contact == "patch" ? "the area that presses" : "four corners each",
+              scene.contact == "patch" ? "and other links: the area that presses" : "four corners each",
               scene.self_contact
                   ? "touch one another, the ground and obstacles"
                   : "touch the ground and obstacles, not one another (self_contact)");

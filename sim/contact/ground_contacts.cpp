@@ -90,12 +90,13 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
   if (config.contact == ContactModel::kPatch) {
     patches_.emplace(model, config);
     sole_keys_ += patches_->keys();
+    if (!tiled_) link_patches_.emplace(model, config);
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (std::size_t s = 0; s < model.links[i].collision.size(); ++s) {
       const std::array<int, 2> which{static_cast<int>(i), static_cast<int>(s)};
       if (std::find(config.aloft.begin(), config.aloft.end(), which) != config.aloft.end()) continue;
-      add_probes(static_cast<int>(i), model.links[i].collision[s], model);
+      add_probes(which[0], which[1], model.links[i].collision[s], model);
     }
   }
   // The longest way from link 0's origin to anything that can touch.
@@ -120,9 +121,10 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
   saved_.reserve(kMostContacts);
 }
 
-void GroundContacts::add_probes(int link, const Shape& shape, const Model& model) {
+void GroundContacts::add_probes(int link, int number, const Shape& shape, const Model& model) {
   if (link == 0 && fixed_base_) return;
-  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0, 0, 0.0};
+  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0, 0, 0.0, -1};
+  if (link_patches_) added.area = link_patches_->of(link, number);
   const auto probe = [&](const Eigen::Vector3d& at, double radius) {
     LinkProbe p{shape.pose * at, radius, false};
     for (const Sole& sole : model.soles) {
@@ -281,6 +283,10 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         if (!(apart < shape.radius + obstacle_radius_[surface - 1] + reach)) continue;
         if (!(distance(surface, at).value < shape.radius + reach)) continue;
       }
+      if (shape.area >= 0) {
+        press(body, link, shape, surface, h, cursor, contacts);
+        continue;
+      }
       const std::size_t end = shape.first + (surface == 0 ? shape.bare : shape.count);
       const Eigen::Vector3d up = link.rotation.row(2);
       const double middle_height = body.origin().z() + link.origin.z();
@@ -303,6 +309,28 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         add(body, link.velocity, found, h, cursor, contacts);
       }
     }
+  }
+}
+
+void GroundContacts::press(const ArticulatedBody& body, const LinkNow& link, const ShapeProbes& shape,
+                           std::size_t surface, double h, std::size_t& cursor,
+                           std::vector<Contact>& contacts) const noexcept {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = link.rotation;
+  pose.translation() = body.origin() + link.origin;
+  LinkPress press;
+  const Eigen::Vector3d velocity = at_point(link.velocity, link.origin);
+  if (!link_patches_->find(shape.area, pose, velocity, angular(link.velocity), h, surface, press)) return;
+  const ContactParams params = times(shell_params_, press.weight);
+  const std::size_t surfaces = obstacles_.size() + 1;
+  const std::size_t key = (probes_.size() + at(shape.area) * Patch::kPoints) * surfaces + surface * Patch::kPoints;
+  Found found{.link = shape.link, .sole = -1, .params = &params, .normal = press.normal};
+  found.stored = 0.5 * params.stiffness * press.rough;
+  for (int i = 0; i < press.count; ++i) {
+    found.key = 2 * sole_keys_ + static_cast<int>(key) + i;
+    found.r = press.point[at(i)].position - body.origin();
+    found.depth = press.point[at(i)].depth;
+    add(body, link.velocity, found, h, cursor, contacts);
   }
 }
 
@@ -337,6 +365,7 @@ void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, con
   c.r = found.r;
   c.normal = found.normal;
   c.depth = found.depth;
+  c.stored = found.stored;
   c.v0 = v0;
   c.w0 = angular(velocity);
   // Contacts are found in the same order at each step: the one sought is seldom far.

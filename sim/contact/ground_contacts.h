@@ -6,6 +6,8 @@
 // that a fallen robot lies on the ground and a hand does not pass through a table; an edge of an
 // obstacle that enters a shape between its probes is not seen.
 //
+// With contact patch a link that is no foot has its area instead of probes (sim/contact/link_patches.h).
+//
 // Tiles of uneven ground meet the soles, and of a robot without soles every probe: its feet are points.
 //
 // The bristles of friction are remembered here from step to step: the anchor of a point that is
@@ -18,6 +20,7 @@
 #include <vector>
 
 #include "sim/contact/contact_solve.h"
+#include "sim/contact/link_patches.h"
 #include "sim/contact/sole_patches.h"
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
@@ -92,6 +95,7 @@ class GroundContacts {
     std::size_t first, count;
     std::size_t bare;  // of them: those that are no skin, which come first
     double extent;     // no probe is further from the link's origin [m]
+    int area;          // of link_patches_; -1: its probes touch
   };
   // Of a point that touches, or may soon.
   struct Found {
@@ -101,6 +105,7 @@ class GroundContacts {
     const ContactParams* params;
     Eigen::Vector3d r = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
     double depth = 0.0;
+    double stored = 0.0;  // energy that its spring does not show [J]
   };
   struct Memory {
     int key;
@@ -108,7 +113,7 @@ class GroundContacts {
     Eigen::Vector3d turned;   // as Contact::turned
   };
 
-  void add_probes(int link, const Shape& shape, const Model& model);
+  void add_probes(int link, int number, const Shape& shape, const Model& model);
   Distance distance(std::size_t surface, const Eigen::Vector3d& point) const noexcept;
   // The tile in which that point, so far from the ground, is deeper, and how far from it then; 0: it is deepest in the ground.
   std::size_t deepest_tile(const Eigen::Vector3d& point, Distance& d) const noexcept;
@@ -118,6 +123,8 @@ class GroundContacts {
                     std::vector<Contact>& contacts) const noexcept;
   void find_probes(const ArticulatedBody& body, double h,
                    std::vector<Contact>& contacts) const noexcept;
+  void press(const ArticulatedBody& body, const LinkNow& link, const ShapeProbes& shape, std::size_t surface, double h,
+             std::size_t& cursor, std::vector<Contact>& contacts) const noexcept;
   // velocity: of the link that is found to touch.
   void add(const ArticulatedBody& body, const Screw& velocity, const Found& found, double h,
            std::size_t& cursor, std::vector<Contact>& contacts) const noexcept;
@@ -128,6 +135,7 @@ class GroundContacts {
   std::array<ContactParams, 2> sole_params_;
   ContactParams shell_params_;
   std::optional<SolePatches> patches_;  // of contact patch
+  std::optional<LinkPatches> link_patches_;  // the same, but of robots on points on uneven ground
   int sole_keys_ = 0;                   // of its surfaces
   std::array<double, 2> ground_height_;
   std::array<std::array<double, kSoleCorners>, 2> offset_{};

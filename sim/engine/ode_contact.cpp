@@ -16,6 +16,7 @@ namespace twinbus {
 
 namespace {
 
+constexpr std::size_t kNoSurface = static_cast<std::size_t>(-1);  // of link patches
 constexpr double kSlipSpeed = 1e-3;  // below it the friction axes follow the foot [m/s]
 
 }  // namespace
@@ -110,6 +111,30 @@ void OdeWorld::press_sole(std::size_t index, int side) noexcept {
   }
 }
 
+// The same of a link that is no foot.
+void OdeWorld::press_link(std::size_t index, const OdeGeom& part, std::size_t surface) noexcept {
+  const OdeRobot& robot = robots_[index];
+  const Eigen::Isometry3d& link = robot.kinematics.link_in_world(part.link);
+  LinkPress press;
+  if (!robot.link_patches->find(part.area, link, robot.kinematics.point_velocity(part.link, link.translation()),
+                                robot.kinematics.angular_velocity(part.link), h_, surface, press)) {
+    return;
+  }
+  const ContactParams params = times(together(robot.surface(-1), ground_), press.weight);
+  for (int i = 0; i < press.count && has_room(); ++i) {
+    const LinkPoint& point = press.point[static_cast<std::size_t>(i)];
+    dContactGeom geom{};
+    for (int k = 0; k < 3; ++k) {
+      geom.pos[k] = point.position[k];
+      geom.normal[k] = press.normal[k];
+    }
+    geom.depth = point.depth;
+    const int felt = feel(index, part.link, -1, geom);
+    if (index == 0 && felt < 0) return;
+    add_row(geom, robot.body(part.link), nullptr, params, felt, -1);
+  }
+}
+
 void OdeWorld::find_link_contacts(std::size_t index) noexcept {
   dContactGeom found[kPointsPerPair];
   const OdeRobot& robot = robots_[index];
@@ -117,7 +142,11 @@ void OdeWorld::find_link_contacts(std::size_t index) noexcept {
     if (robot.body(part.link) == nullptr) continue;
     dReal box[6];
     dGeomGetAABB(part.geom, box);
-    const auto meet_one = [&](dGeomID other) {
+    const auto meet_one = [&](dGeomID other, std::size_t surface) {
+      if (part.area >= 0 && surface < kNoSurface) {
+        press_link(index, part, surface);
+        return;
+      }
       const int count = dCollide(part.geom, other, kPointsPerPair, found, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         const bool by_corners =
@@ -125,17 +154,17 @@ void OdeWorld::find_link_contacts(std::size_t index) noexcept {
         if (!by_corners) add_contact(found[i], index, part.link, -1);
       }
     };
-    const auto meet_near = [&](const std::vector<dGeomID>& geoms) {
-      for (const dGeomID geom : geoms) {
+    const auto meet_near = [&](const std::vector<dGeomID>& geoms, bool press) {
+      for (std::size_t i = 0; i < geoms.size(); ++i) {
         dReal other[6];
-        dGeomGetAABB(geom, other);
-        if (bounds_meet(box, other)) meet_one(geom);
+        dGeomGetAABB(geoms[i], other);
+        if (bounds_meet(box, other)) meet_one(geoms[i], press ? i + 1 : kNoSurface);
       }
     };
-    if (box[4] <= 0.0) meet_one(plane_);
-    meet_near(obstacle_geoms_);
+    if (box[4] <= 0.0) meet_one(plane_, 0);
+    meet_near(obstacle_geoms_, true);
     // As in the other engine tiles meet no more of a foot than its sole's corners.
-    if (!robot.has_sole(part.link)) meet_near(tile_geoms_);
+    if (!robot.has_sole(part.link)) meet_near(tile_geoms_, false);
   }
 }
 

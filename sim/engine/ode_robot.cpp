@@ -41,6 +41,8 @@ OdeRobot::OdeRobot(const Model& m, const WorldConfig& c)
     WorldConfig ground = config;
     ground.obstacles.clear();  // a foot meets them with its own geoms
     patches.emplace(model, ground);
+    // On uneven ground a robot on points has ODE's points, as in the other engine its probes.
+    if (config.tiles.empty() || model.soles[0].link >= 0 || model.soles[1].link >= 0) link_patches.emplace(model, config);
   }
 }
 
@@ -108,13 +110,14 @@ void OdeRobot::create_bodies(dWorldID world) {
 void OdeRobot::create_geoms() {
   std::size_t next_hull = 0;
   for (int link = 0; link < model.link_count(); ++link) {
-    for (const Shape& shape : model.links[static_cast<std::size_t>(link)].collision) {
+    const std::vector<Shape>& shapes = model.links[static_cast<std::size_t>(link)].collision;
+    for (const Shape& shape : shapes) {
       const bool in_link = shape.kind == ShapeKind::kMesh;
       // Of a mesh in the link frame, null if it has no volume.
       const dGeomID geom = in_link ? hulls_[next_hull++].create_geom() : geom_of(solid_of(shape));
       if (geom == nullptr) continue;
       const Eigen::Isometry3d pose = in_link ? Eigen::Isometry3d::Identity() : shape.pose;
-      geoms.push_back({geom, link});
+      geoms.push_back({geom, link, link_patches ? link_patches->of(link, static_cast<int>(&shape - shapes.data())) : -1});
       if (body(link) == nullptr) {
         fixed_geoms_.push_back({geom, pose});
         continue;

@@ -12,6 +12,7 @@
 
 #include "robot/kinematics/kinematics.h"
 #include "sim/contact/contact_law.h"
+#include "sim/contact/link_patches.h"
 #include "sim/contact/sole_patches.h"
 #include "sim/engine/ode_mesh.h"
 #include "sim/world/link_pairs.h"
@@ -43,6 +44,7 @@ struct OdeJoint {
 struct OdeGeom {
   dGeomID geom = nullptr;
   int link = -1;
+  int area = -1;  // of link_patches; -1: ODE's own points touch
 };
 
 struct OdeRobot {
@@ -89,6 +91,7 @@ struct OdeRobot {
   std::array<std::array<double, kSoleCorners>, 2> offset{};
   LinkPairs never;  // touch one another
   std::optional<SolePatches> patches;  // of contact patch, on ground and tiles
+  std::optional<LinkPatches> link_patches;  // of it too, on ground and obstacles
 
   Configuration configuration;
   Configuration start_of_step;

@@ -129,6 +129,7 @@ class OdeWorld final : public World {
   void find_contacts() noexcept;
   void find_sole_contacts(std::size_t robot) noexcept;
   void press_sole(std::size_t robot, int side) noexcept;
+  void press_link(std::size_t robot, const OdeGeom& part, std::size_t surface) noexcept;
   void find_link_contacts(std::size_t robot) noexcept;
   // Of a robot with what is fixed.
   void add_contact(const dContactGeom& geom, std::size_t robot, int link, int sole) noexcept;

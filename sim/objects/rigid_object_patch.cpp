@@ -183,18 +183,7 @@ bool LooseContacts::ball_presses(std::size_t own, int other, const Search& searc
   }
   const double depth = radius - away.value;
   if (!(depth > 0.0)) return false;
-  const double round = 1.0 / (1.0 / radius + 1.0 / other_radius);
-  const double cap = std::min(depth, round);
-  patch.volume = std::numbers::pi * cap * cap * (round - cap / 3.0);
-  patch.area = std::numbers::pi * cap * (2.0 * round - cap);
-  const double mean = patch.volume / patch.area;
-  // Of the squared depth of the cap that lies above a sphere's own lowest plane, less that of its mean.
-  patch.rough =
-      std::max(0.0, 2.0 * std::numbers::pi * cap * cap * cap * (round / 3.0 - cap / 12.0) -
-                        patch.volume * mean);
-  patch.normal = away.normal;
-  for (PatchPoint& point : patch.point)
-    point = {centre - (radius - 0.5 * depth) * away.normal, mean};
+  patch = ball_patch(radius, other_radius, centre, depth, away.normal);
   return true;
 }
 

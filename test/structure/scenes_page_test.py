@@ -61,7 +61,7 @@ POSE = {"position": "in world [m]", "rpy_deg": "turn about x, then y, then z [de
 FORCE = {"stiffness": "[N/m]", "damping": "[N s/m]"}
 MEANING = {
     "scene": {
-        "about": "one sentence", "robot": "a name under config/robots, or a folder", "engine": "physics engine; mujoco: where MuJoCo is installed (`pip install mujoco`, or `TWINBUS_MUJOCO`)", "contact": "how what touches pushes back; patch: soles and what is convex with their area (engine ode: soles); rigid: engine ode only; soft: MuJoCo's under the robot, which creeps (engines articulated and mujoco)",
+        "about": "one sentence", "robot": "a name under config/robots, or a folder", "engine": "physics engine; mujoco: where MuJoCo is installed (`pip install mujoco`, or `TWINBUS_MUJOCO`)", "contact": "how what touches pushes back; patch: soles, links and what is convex with their area (engine ode: the robot on what is fixed); rigid: engine ode only; soft: MuJoCo's under the robot, which creeps (engines articulated and mujoco)",
         "duration": "of `run` and `up --for` [s]", "step": "physics step, a whole part of the control period; 0: the period [s]",
         "accuracy": "error that `run` holds by its choice of order and step, such as 1 mm", "start_pose": "named pose of the SRDF",
         "fidelity": "how much is modelled; auto: no more than the accuracy needs (`run`), legs: all other joints are held, rigid: all are", "held": "joints that stand still for good, by name; `base` holds the base, the name of a further robot all of it",
