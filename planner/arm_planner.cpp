@@ -16,7 +16,7 @@
 #include "planner/search/shorten.h"
 #include "common/math/index.h"
 #include "robot/collision/loop_joints.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

@@ -141,7 +141,7 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
   }
   resumed_q = resumed_qd = Eigen::VectorXd::Zero(m.joint_count());
   status.controller_id = c.controller_id;
-  const bool own_attitude = walking_of(m).own_attitude;
+  const bool own_attitude = m.walking.own_attitude;
   estimator.estimate_attitude(own_attitude);
   if (own_attitude) look = std::llround(kLook / m.period());
 }

@@ -123,7 +123,7 @@ void StepGait::advance(double dt, bool may_lift) noexcept {
 }
 
 StepGait step_gait_of(const Model& model) {
-  const Walking walking = walking_of(model);
+  const Walking walking = model.walking;
   StepGait gait(PointFeetBody(model), walking.gait);
   gait.limit(walking.fastest);
   return gait;

@@ -39,7 +39,7 @@ Walk::Walk(const Model& model, const WalkGains& gains)
     : Behavior(model),
       model_(&model),
       gains_(gains),
-      pattern_(gait_of(model, walking_of(model), gains.stabilizer.margin), gains.swing),
+      pattern_(gait_of(model, model.walking, gains.stabilizer.margin), gains.swing),
       stabilizer_(gains.stabilizer),
       feet_(model, gains.feet),
       ik_(model),

@@ -24,10 +24,8 @@
 #include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
-#include "robot/description/robot_yaml.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
-#include "robot/mjcf/mujoco_config.h"
 #include "robot/onboarding/model_lint.h"
 #include "robot/onboarding/proposal.h"
 
@@ -157,7 +155,6 @@ void print_gripper(const Model& model, const Gripper& gripper, int side) {
 
 // Where it stands, what it reaches with and what it feels.
 void print_limbs(const Model& model) {
-  const std::array<Gripper, 2> grippers = grippers_of(model);
   for (const int side : {0, 1}) {
     const char* name = side == 0 ? "left" : "right";
     const Sole& sole = model.soles[at(side)];
@@ -170,7 +167,7 @@ void print_limbs(const Model& model) {
     if (hand.link >= 0) {
       std::printf("%s hand on %s: arm of %zu joints\n", name,
                   model.links[at(hand.link)].name.c_str(), hand.joints.size());
-      print_gripper(model, grippers[at(side)], side);
+      print_gripper(model, model.grippers[at(side)], side);
     }
   }
   if (!model.yaml_text.empty() && stands_on_points(model)) {
@@ -213,9 +210,9 @@ void print(const Model& model, const Extent& extent) {
   std::printf("poses:");
   for (const NamedPose& pose : model.poses) std::printf(" %s", pose.name.c_str());
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
-  if (const std::size_t kinds = mujoco_config_of(model).contacts.size(); kinds > 0)
+  if (const std::size_t kinds = model.mujoco.contacts.size(); kinds > 0)
     std::printf("engine mujoco: contacts of %zu kinds as robot.yaml says\n", kinds);
-  for (const NearPair& pair : near_pairs_of(model)) {
+  for (const NearPair& pair : model.near_pairs) {
     std::printf("near by design: guards keep %.1f mm of %s and %s\n", 1e3 * pair.margin, model.links[at(pair.link_a)].name.c_str(),
                 model.links[at(pair.link_b)].name.c_str());
   }

@@ -15,7 +15,7 @@
 #include "control/walk/footsteps.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
-#include "robot/description/walking_config.h"
+#include "robot/description/robot_yaml.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
 
@@ -137,7 +137,7 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 
 class Search {
  public:
-  Search(const Model& model, double patience) : model_(model), yaml_(model.yaml_text), ends_(cpu_seconds() + patience) {}
+  Search(const Model& model, double patience) : model_(model), usual_(model.walking), ends_(cpu_seconds() + patience) {}
 
   bool time_left() const { return cpu_seconds() < ends_; }
   int runs() const { return runs_; }
@@ -179,7 +179,7 @@ class Search {
   double fastest_of_legs(const GaitChoice& gait) {
     take(gait);
     try {
-      return gait_of(model_, walking_of(model_), 0.01).most_velocity.x();
+      return gait_of(model_, model_.walking, 0.01).most_velocity.x();
     } catch (const std::runtime_error& error) {
       failure_ = error.what();
       return 0.0;
@@ -189,11 +189,12 @@ class Search {
  private:
   void take(const GaitChoice& gait) {
     const std::string entries = gait.text();
-    model_.yaml_text = entries.empty() ? yaml_ : yaml_ + "\nwalking: {" + entries + "}\n";
+    model_.walking = entries.empty() ? usual_ : read_walking(ConfigNode::parse("{" + entries + "}", "the gait that is tried"));
   }
 
   Model model_;
-  std::string yaml_, failure_, limit_;
+  Walking usual_;
+  std::string failure_, limit_;
   double ends_;  // [s]
   double margin_ = -1.0;  // [m]
   int runs_ = 0;
@@ -381,7 +382,7 @@ WalkTrial find_walk(const Model& model, double patience) {
   try {
     const LegReach reach = leg_reach(model, 0);
     trial.leg = reach.longest + reach.ankle_height;
-    usual = gait_of(model, walking_of(model), 0.01);
+    usual = gait_of(model, model.walking, 0.01);
   } catch (const std::runtime_error& error) {
     trial.why_not = error.what();
     return trial;
@@ -405,7 +406,7 @@ WalkTrial find_walk(const Model& model, double patience) {
   }
   if (!judged(search, found, begin, start, "walk", trial)) return trial;
   trial.fastest = kShare * start;
-  const Walking walking = walking_of(model);
+  const Walking walking = model.walking;
   const double single = std::isnan(choice.single_support) ? walking.single_support : choice.single_support;
   trial.step = trial.fastest * (single + walking.double_support);
   choice.fastest = std::floor(1e3 * trial.fastest) / 1e3;

@@ -15,9 +15,8 @@
 #include "common/process/process.h"
 #include "common/text/xml.h"
 #include "launcher/operate/operate.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "robot/description/load.h"
-#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -31,7 +30,7 @@ using Grippers = std::vector<Gripper>;
 
 // Those that are meant; throws when there is none.
 Grippers grippers_asked_for(const Arguments& arguments, const Model& model) {
-  std::array<Gripper, 2> grippers = grippers_of(model);
+  std::array<Gripper, 2> grippers = model.grippers;
   const std::string side = arguments.text("--side", "");
   if (!side.empty()) {
     if (side != "left" && side != "right") throw UsageError("grip: --side is left or right, not " + side);

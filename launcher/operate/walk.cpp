@@ -86,7 +86,7 @@ std::string why_it_ended(BusLink& bus, const ModeRequest& request) {
 
 Eigen::Vector3d possible_of(const Model& model, const Eigen::Vector3d& asked) {
   if (why_no_point_feet(model) == nullptr) return step_gait_of(model).possible(asked);
-  return gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin).possible(asked);
+  return gait_of(model, model.walking, WalkGains{}.stabilizer.margin).possible(asked);
 }
 
 // All the speeds at their most are more than the legs can do at once.
@@ -102,7 +102,7 @@ void say_if_limited(const Model& model, std::int64_t running_hash, const WalkCom
 
 int walk_steps(const Arguments& arguments) {
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
-  const Gait gait = gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
+  const Gait gait = gait_of(model, model.walking, WalkGains{}.stabilizer.margin);
   StepList list = read_feasible_steps(arguments.text("--steps", ""), model, gait);
   BusLink bus = open_bus(arguments);
   ModeRequest request;

@@ -41,7 +41,7 @@ bool turns(const Scene& scene) {
 }
 
 Eigen::Vector3d fastest_of(const Model& model) {
-  return gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin).most_velocity;
+  return gait_of(model, model.walking, WalkGains{}.stabilizer.margin).most_velocity;
 }
 
 // How far the sticks of a scene lead a robot that goes at most so fast [m].
@@ -59,10 +59,10 @@ double way_of(const std::vector<TimedPad>& pads, const Eigen::Vector3d& most) {
 // for shares of that, lead it no farther than that.  Said in Scene::scaled.
 void ask_what_it_can(Scene& scene, const Model& model) {
   const bool points = why_no_point_feet(model) == nullptr;
-  if (!(walking_of(model).fastest > 0.0) || !(points || Balance::why_not(model) == nullptr) || !walks(scene)) return;
+  if (!(model.walking.fastest > 0.0) || !(points || Balance::why_not(model) == nullptr) || !walks(scene)) return;
   const Model own = load_robot(scene.robot);
   if (own.hash == model.hash) return;
-  const Gait gait = points ? Gait{} : gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
+  const Gait gait = points ? Gait{} : gait_of(model, model.walking, WalkGains{}.stabilizer.margin);
   const std::optional<StepGait> steps = points ? std::optional(step_gait_of(model)) : std::nullopt;
   for (TimedWalk& walk : scene.walks) {
     const Eigen::Vector3d asked = Eigen::Vector3f(walk.request.vx, walk.request.vy, walk.request.wz).cast<double>();

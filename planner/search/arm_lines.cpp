@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/coarse_mesh.h"
 #include "robot/collision/links/inscribed_spheres.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

@@ -6,7 +6,7 @@
 
 #include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "robot/description/load.h"
 #include "robot/kinematics/inverse_kinematics.h"
 

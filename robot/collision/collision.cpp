@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/collision/collision_impl.h"
 #include "common/math/index.h"

@@ -5,7 +5,6 @@
 
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
-#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -19,7 +18,7 @@ int link_of(const Model& model, const std::string& name) {
 
 std::vector<PinnedLinks> pinned_links(const Model& model) {
   std::vector<PinnedLinks> pins;
-  for (const Loop& loop : loops_of(model)) {
+  for (const Loop& loop : model.loops) {
     const PinnedLinks pin{link_of(model, loop.link), link_of(model, loop.to)};
     if (loop.length < 0.0) pins.push_back(pin.a < 0 ? PinnedLinks{pin.b, pin.a} : pin);
   }

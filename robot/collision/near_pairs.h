@@ -15,14 +15,6 @@
 
 namespace twinbus {
 
-struct NearPair {
-  int link_a = 0, link_b = 0;
-  double margin = 0.0;  // [m]
-};
-
-// Without pairs that fixed joints make one link.  Throws std::runtime_error naming file, line and key, also for unknown links; those a robot that is loaded has none of.
-std::vector<NearPair> near_pairs_of(const Model& model);
-
 // What is kept of a pair, as a share of what is kept of others.
 class MarginShares {
  public:

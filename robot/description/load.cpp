@@ -68,6 +68,7 @@ void place_limb(const LimbEntry& entry, const Model& model, const std::string& w
   if (frame.link != sensor.link)
     throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor + " are on different links");
   limb.link = frame.link;
+  limb.place = entry.frame;
   limb.frame = frame.in_link * entry.offset;
   limb.sensor = entry.sensor == entry.frame ? limb.frame : sensor.in_link;
 }
@@ -83,6 +84,7 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   if (!yaml.imu_frame.empty()) {
     const Frame& imu = frame_called(model, yaml.imu_frame, file + ": imu");
     model.imu_link = imu.link;
+    model.imu_place = imu.name;
     model.imu = imu.in_link * yaml.imu_offset;
   }
   for (std::size_t side = 0; side < 2; ++side) {
@@ -102,17 +104,27 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   for (const std::string& joint : yaml.leg_joints) {
     model.leg_joints.push_back(need_joint(model, joint, file + ": leg_joints"));
   }
-  (void)grippers_of(yaml, model);  // who uses them reads them again
+  model.grippers = read_grippers(yaml, model);
   apply_servos(yaml, model);
+  model.loops = yaml.loops;
   for (const Loop& loop : yaml.loops) {
     for (const std::string& name : {loop.link, loop.to}) {
       if (name != "world") (void)frame_called(model, name, file + ": loops");
     }
   }
   for (const NearPairEntry& entry : yaml.near_pairs) {
-    for (const std::string& name : entry.links) (void)frame_called(model, name, entry.where);
+    const NearPair pair{frame_called(model, entry.links[0], entry.where).link,
+                        frame_called(model, entry.links[1], entry.where).link, entry.margin};
+    if (pair.link_a != pair.link_b) model.near_pairs.push_back(pair);
   }
-  for (const ToolEntry& tool : yaml.tools) (void)frame_called(model, tool.frame, tool.where);
+  model.tools = yaml.tools;
+  for (const Tool& tool : yaml.tools) (void)frame_called(model, tool.frame, tool.where);
+  model.mujoco = yaml.mujoco;
+  for (const MujocoContact& contact : yaml.mujoco.contacts) {
+    for (const std::string& name : contact.links) (void)frame_called(model, name, yaml.mujoco_contacts);
+  }
+  model.walking = yaml.walking;
+  model.packages = yaml.packages;
 }
 
 void apply_srdf(const Srdf& srdf, const std::string& file, Model& model) {
@@ -150,6 +162,34 @@ void apply_srdf(const Srdf& srdf, const std::string& file, Model& model) {
     const int b = frame_called(model, pair.link_b, where).link;
     if (a != b) model.disabled_pairs.push_back({std::min(a, b), std::max(a, b)});
   }
+}
+
+Model build_robot(const RobotTexts& texts, const RobotYaml& yaml, const std::string& yaml_file) {
+  const fs::path folder = texts.folder;
+  Model model;
+  model.yaml_text = texts.yaml;
+  const std::string urdf_file = (folder / yaml.urdf).string();
+  model.urdf_text = texts.urdf;
+  model.floating_base = yaml.floating_base;
+
+  ModelBuilder builder(parse_urdf(model.urdf_text, urdf_file,
+                                  {.folder = folder.string(), .packages = yaml.packages}),
+                       urdf_file);
+  builder.fix_joints(yaml.fixed_joints, yaml_file);
+  builder.build(model);
+  model.folder = folder.string();
+  for (const std::string& name : yaml.inertia_from_shape) {
+    const std::string where = yaml_file + ": inertia_from_shape";
+    take_inertia_from_shape(model.links[static_cast<std::size_t>(frame_called(model, name, where).link)]);
+  }
+  if (!yaml.srdf.empty()) {
+    const std::string srdf_file = (folder / yaml.srdf).string();
+    model.srdf_text = texts.srdf;
+    apply_srdf(parse_srdf(model.srdf_text, srdf_file), srdf_file, model);
+  }
+  apply_yaml(yaml, yaml_file, model);  // wins over the SRDF
+  model.hash = model_hash(model);
+  return model;
 }
 
 }  // namespace
@@ -198,37 +238,12 @@ Model load_robot(const std::string& name_or_folder) {
   const RobotYaml yaml = parse_robot_yaml(texts.yaml, yaml_file);
   texts.urdf = read_text_file(in_folder(yaml.urdf, yaml_file + ": urdf"));
   if (!yaml.srdf.empty()) texts.srdf = read_text_file(in_folder(yaml.srdf, yaml_file + ": srdf"));
-  return load_robot_texts(texts);
+  return build_robot(texts, yaml, yaml_file);
 }
 
 Model load_robot_texts(const RobotTexts& texts) {
-  const fs::path folder = texts.folder;
-  const std::string yaml_file = (folder / "robot.yaml").string();
-  Model model;
-  model.yaml_text = texts.yaml;
-  const RobotYaml yaml = parse_robot_yaml(model.yaml_text, yaml_file);
-  const std::string urdf_file = (folder / yaml.urdf).string();
-  model.urdf_text = texts.urdf;
-  model.floating_base = yaml.floating_base;
-
-  ModelBuilder builder(parse_urdf(model.urdf_text, urdf_file,
-                                  {.folder = folder.string(), .packages = yaml.packages}),
-                       urdf_file);
-  builder.fix_joints(yaml.fixed_joints, yaml_file);
-  builder.build(model);
-  model.folder = folder.string();
-  for (const std::string& name : yaml.inertia_from_shape) {
-    const std::string where = yaml_file + ": inertia_from_shape";
-    take_inertia_from_shape(model.links[static_cast<std::size_t>(frame_called(model, name, where).link)]);
-  }
-  if (!yaml.srdf.empty()) {
-    const std::string srdf_file = (folder / yaml.srdf).string();
-    model.srdf_text = texts.srdf;
-    apply_srdf(parse_srdf(model.srdf_text, srdf_file), srdf_file, model);
-  }
-  apply_yaml(yaml, yaml_file, model);  // wins over the SRDF
-  model.hash = model_hash(model);
-  return model;
+  const std::string yaml_file = (fs::path(texts.folder) / "robot.yaml").string();
+  return build_robot(texts, parse_robot_yaml(texts.yaml, yaml_file), yaml_file);
 }
 
 Model load_urdf(const std::string& urdf_file,

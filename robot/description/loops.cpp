@@ -1,6 +1,8 @@
 #include "robot/description/loops.h"
 
-#include "robot/description/robot_yaml.h"
+#include <vector>
+
+#include "common/text/strict_yaml.h"
 
 namespace twinbus {
 
@@ -29,7 +31,5 @@ Loop read_loop(const ConfigNode& node) {
   node.finish();
   return loop;
 }
-
-std::vector<Loop> loops_of(const Model& model) { return robot_yaml_of(model).loops; }
 
 }  // namespace twinbus

@@ -9,12 +9,10 @@
 
 #include <Eigen/Core>
 #include <string>
-#include <vector>
-
-#include "common/text/strict_yaml.h"
-#include "robot/description/model.h"
 
 namespace twinbus {
+
+class ConfigNode;
 
 struct Loop {
   std::string link;                                 // of the URDF
@@ -29,7 +27,5 @@ struct Loop {
 // Keys: link, point, to, at, stiffness, damping, length.  Throws std::runtime_error naming file,
 // line and key.
 Loop read_loop(const ConfigNode& node);
-// Of a loaded robot.
-std::vector<Loop> loops_of(const Model& model);
 
 }  // namespace twinbus

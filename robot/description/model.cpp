@@ -1,5 +1,10 @@
 #include "robot/description/model.h"
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "common/text/closest_name.h"
+
 namespace twinbus {
 
 namespace {
@@ -25,5 +30,12 @@ int Model::find_joint(const std::string& joint_name) const {
 }
 int Model::find_link(const std::string& link_name) const { return find_named(links, link_name); }
 int Model::find_pose(const std::string& pose_name) const { return find_named(poses, pose_name); }
+
+const Frame& frame_called(const Model& model, const std::string& name, const std::string& where) {
+  const auto found = std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& f) { return f.name == name; });
+  if (found == model.frames.end())
+    throw std::runtime_error(where + ": there is no link " + name + " in the URDF" + suggestion(name, model.frames));
+  return *found;
+}
 
 }  // namespace twinbus

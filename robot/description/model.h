@@ -12,10 +12,14 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/shapes.h"
 #include "lcmtypes/msg/robot_io.h"
+#include "robot/description/loops.h"
+#include "robot/description/mujoco_config.h"
+#include "robot/description/walking_config.h"
 
 namespace twinbus {
 
@@ -67,6 +71,7 @@ struct Frame {
 // stands flat.
 struct Sole {
   int link = -1;
+  std::string place;  // the link of the URDF that robot.yaml puts it in
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();   // in the link frame
   Eigen::Isometry3d sensor = Eigen::Isometry3d::Identity();  // force sensor, in the link frame
   double front = 0.0;  // from the frame's origin to the edges, all positive [m]
@@ -80,10 +85,30 @@ struct Sole {
 
 struct Hand {
   int link = -1;
+  std::string place;  // as of a sole
   Eigen::Isometry3d frame =
       Eigen::Isometry3d::Identity();  // what reach() places, in the link frame
   Eigen::Isometry3d sensor = Eigen::Isometry3d::Identity();
   std::vector<int> joints;  // of the arm, from shoulder to wrist
+};
+
+// Fingers of a hand that open and close together.
+struct Gripper {
+  std::vector<int> joints;           // of the model, each on the bus; none: no gripper
+  std::vector<double> open, closed;  // [rad or m]
+};
+
+// What a hand carries: robot/hand/tools.h.
+struct Tool {
+  std::string name, frame;                                   // frame: a link of the URDF
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // in that link
+  std::string where;                                         // file, line and key
+};
+
+// Links that the robot's own shape keeps near each other: robot/collision/near_pairs.h.
+struct NearPair {
+  int link_a = 0, link_b = 0;
+  double margin = 0.0;  // [m]
 };
 
 struct NamedPose {
@@ -105,11 +130,19 @@ struct Model {
       bus_index;  // the inverse: entry j is the bus index of joint j, -1 when not on the bus
   std::array<Sole, 2> soles;  // left, right; link -1 when absent
   std::array<Hand, 2> hands;  // left, right; link -1 when absent
+  std::array<Gripper, 2> grippers;  // left, right
   int imu_link = 0;
+  std::string imu_place;  // as of a sole; empty: the base
   Eigen::Isometry3d imu = Eigen::Isometry3d::Identity();  // in its link's frame
   std::vector<int> leg_joints;  // of both legs: never masked while walking
   std::vector<NamedPose> poses;
   std::vector<std::array<int, 2>> disabled_pairs;  // link indices, SRDF disable_collisions
+  std::vector<NearPair> near_pairs;  // without those that fixed joints make one link
+  std::vector<Tool> tools;
+  std::vector<Loop> loops;
+  Walking walking;
+  MujocoConfig mujoco;
+  std::vector<std::pair<std::string, std::string>> packages;  // of mesh files: name, folder
   bool floating_base = true;
 
   std::int32_t period_ns = 2'000'000;
@@ -123,7 +156,7 @@ struct Model {
 
   std::vector<std::string> notes;  // what the files say that is not used, with file and line
 
-  std::string urdf_text;  // as read, for MODEL_TEXT
+  std::string urdf_text;  // as read, for MODEL_TEXT; all that is used of them is above
   std::string srdf_text;
   std::string yaml_text;
 
@@ -137,5 +170,18 @@ struct Model {
   int find_link(const std::string& name) const;
   int find_pose(const std::string& name) const;
 };
+
+// The hand of that side (0 left, 1 right); of a robot with one hand that one, for either side; null: it has none.
+inline const Hand* hand_of(const Model& model, int side) noexcept {
+  for (const int one : {side, 1 - side}) {
+    const Hand& hand = model.hands[static_cast<std::size_t>(one)];
+    if (hand.link >= 0) return &hand;
+  }
+  return nullptr;
+}
+
+// The link of the URDF called so, in the link it was merged into.  Throws std::runtime_error that begins with `where`, with the
+// nearest name.
+const Frame& frame_called(const Model& model, const std::string& name, const std::string& where);
 
 }  // namespace twinbus

@@ -39,6 +39,23 @@ Eigen::Isometry3d read_offset(const ConfigNode& node) {
   return offset;
 }
 
+Walking read_walking(const ConfigNode& node) {
+  Walking w;
+  w.single_support = node.number("single_support", 0.1, 5.0, w.single_support);
+  w.double_support = node.number("double_support", 0.01, 5.0, w.double_support);
+  w.width = node.number("width", 0.0, 2.0, w.width);
+  w.lift = node.number("lift", 0.0, 0.5, w.lift);
+  w.com_height = node.number("com_height", 0.0, 5.0, w.com_height);
+  w.zmp_forward = node.number("zmp_forward", -0.5, 0.5, w.zmp_forward);
+  w.zmp_inward = node.number("zmp_inward", -0.2, 0.2, w.zmp_inward);
+  w.fastest = node.number("fastest", 0.0, 10.0, w.fastest);
+  w.preview = node.choice("pattern", {"closed_form", "preview"}, 0) == 1;
+  w.gait = static_cast<PointGait>(node.choice("gait", {"trot", "crawl", "by_speed"}, 0));
+  w.own_attitude = node.choice("attitude", {"imu", "estimated"}, 0) == 1;
+  node.finish();
+  return w;
+}
+
 namespace {
 
 void read_limb(const ConfigNode& node, LimbEntry& entry) {
@@ -81,8 +98,8 @@ NearPairEntry read_near_pair(const ConfigNode& node) {
   return entry;
 }
 
-ToolEntry read_tool(const ConfigNode& node, const std::string& name) {
-  ToolEntry entry{.name = name, .frame = node.text("frame"), .offset = read_offset(node), .where = node.where("frame")};
+Tool read_tool(const ConfigNode& node, const std::string& name) {
+  Tool entry{.name = name, .frame = node.text("frame"), .offset = read_offset(node), .where = node.where("frame")};
   node.finish();
   return entry;
 }
@@ -185,18 +202,18 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     }
     grippers.finish();
   }
-  if (top.has("mujoco")) yaml.mujoco = top.map("mujoco");
+  if (top.has("mujoco")) {
+    const ConfigNode mujoco = top.map("mujoco");
+    yaml.mujoco = read_mujoco_config(mujoco);
+    yaml.mujoco_contacts = mujoco.where("contacts");
+  }
   yaml.leg_joints = top.texts("leg_joints");
   for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
   top.finish();
   return yaml;
 }
 
-RobotYaml robot_yaml_of(const Model& model) {
-  return model.yaml_text.empty() ? RobotYaml{} : parse_robot_yaml(model.yaml_text, model.folder + "/robot.yaml");
-}
-
-std::array<Gripper, 2> grippers_of(const RobotYaml& yaml, const Model& model) {
+std::array<Gripper, 2> read_grippers(const RobotYaml& yaml, const Model& model) {
   std::array<Gripper, 2> grippers;
   for (const GripperEntry& entry : yaml.grippers) {
     Gripper& gripper = grippers[entry.side];
@@ -219,15 +236,6 @@ std::array<Gripper, 2> grippers_of(const RobotYaml& yaml, const Model& model) {
     }
   }
   return grippers;
-}
-
-std::array<Gripper, 2> grippers_of(const Model& model) { return grippers_of(robot_yaml_of(model), model); }
-
-const Frame& frame_called(const Model& model, const std::string& name, const std::string& where) {
-  const auto found = std::find_if(model.frames.begin(), model.frames.end(), [&](const Frame& f) { return f.name == name; });
-  if (found == model.frames.end())
-    throw std::runtime_error(where + ": there is no link " + name + " in the URDF" + suggestion(name, model.frames));
-  return *found;
 }
 
 }  // namespace twinbus

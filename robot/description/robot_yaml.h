@@ -3,15 +3,12 @@
 
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/text/strict_yaml.h"
-#include "robot/description/loops.h"
 #include "robot/description/model.h"
-#include "robot/description/walking_config.h"
 
 namespace twinbus {
 
@@ -44,13 +41,6 @@ struct NearPairEntry {
   std::string where;    // file, line and key
 };
 
-// What a hand carries: robot/hand/tools.h.
-struct ToolEntry {
-  std::string name, frame;
-  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // in that link
-  std::string where;
-};
-
 // Of the map `grippers`, one group a hand; joints that follow another (<mimic>) move with it and are not named:
 //   right: {joints: [finger_joint1], open: [0.04], closed: [0]}   # [rad or m]
 struct GripperEntry {
@@ -75,32 +65,18 @@ struct RobotYaml {
   Walking walking;
   std::vector<Loop> loops;
   std::vector<NearPairEntry> near_pairs;
-  std::vector<ToolEntry> tools;
+  std::vector<Tool> tools;
   std::vector<GripperEntry> grippers;
-  std::optional<ConfigNode> mujoco;  // read by robot/mjcf/mujoco_config.h
+  MujocoConfig mujoco;
+  std::string mujoco_contacts;  // file, line and key
   Model timing;  // period, timeouts, blend and off action only
 };
 
 // Throws std::runtime_error naming file, line and the nearest valid key.
 RobotYaml parse_robot_yaml(const std::string& text, const std::string& file);
-// Of a loaded robot; of one without that file everything is as it is when nothing is said.
-RobotYaml robot_yaml_of(const Model& model);
-
-// Fingers of a hand that open and close together.
-struct Gripper {
-  std::vector<int> joints;           // of the model, each on the bus; none: no gripper
-  std::vector<double> open, closed;  // [rad or m]
-};
-
-// Left, right; of a model whose hands are known.  load_robot has asked for both.  Throws std::runtime_error naming file, line and key.
-std::array<Gripper, 2> grippers_of(const RobotYaml& yaml, const Model& model);
-std::array<Gripper, 2> grippers_of(const Model& model);
-
-// `at` and `rpy` of a node: a place in the link that its `frame` names.
-Eigen::Isometry3d read_offset(const ConfigNode& node);
-
-// The link of the URDF called so, in the link it was merged into.  Throws std::runtime_error that begins with `where`, with the
-// nearest name.
-const Frame& frame_called(const Model& model, const std::string& name, const std::string& where);
+// The map `walking`.  Throws std::runtime_error naming file, line and key.
+Walking read_walking(const ConfigNode& node);
+// Of a model whose joints and hands are known: left, right.  Throws std::runtime_error naming file, line and key.
+std::array<Gripper, 2> read_grippers(const RobotYaml& yaml, const Model& model);
 
 }  // namespace twinbus

@@ -7,9 +7,6 @@
 
 #include <limits>
 
-#include "common/text/strict_yaml.h"
-#include "robot/description/model.h"
-
 namespace twinbus {
 
 // Of four point feet: diagonal pairs in turn; one foot at a time; that where the speed asked for is within its reach, else a trot.
@@ -29,10 +26,5 @@ struct Walking {
   PointGait gait = PointGait::kTrot;  // `gait: trot`, `crawl` or `by_speed`
   bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`
 };
-
-// Throws std::runtime_error naming file, line and key.
-Walking read_walking(const ConfigNode& node);
-// Of a loaded robot: as its robot.yaml says, or the defaults.
-Walking walking_of(const Model& model);
 
 }  // namespace twinbus

@@ -5,7 +5,6 @@
 
 #include "common/math/pose_math.h"
 #include "common/text/xml.h"
-#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -44,7 +43,7 @@ Eigen::Isometry3d tool_in_hand(const Model& model, const Hand& hand, const std::
       throw std::runtime_error("tool '" + text + "' is more than 5 m from the hand");
     return placed(values);
   }
-  for (const ToolEntry& tool : robot_yaml_of(model).tools) {
+  for (const Tool& tool : model.tools) {
     if (tool.name == text) return link_in_hand(model, hand, tool.frame, tool.where) * tool.offset;
   }
   return link_in_hand(model, hand, text, "no tool is called so");

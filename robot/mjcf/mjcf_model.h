@@ -12,7 +12,7 @@
 
 #include "robot/mjcf/mjcf_compiler.h"
 #include "robot/mjcf/mjcf_element.h"
-#include "robot/mjcf/mujoco_config.h"
+#include "robot/description/mujoco_config.h"
 
 namespace twinbus {
 

@@ -10,7 +10,7 @@
 #include "common/text/xml.h"
 #include "geometry/bounds/convex_hull.h"
 #include "geometry/mesh/mesh_file.h"
-#include "robot/mjcf/mujoco_config.h"
+#include "robot/description/mujoco_config.h"
 #include "robot/mjcf/urdf_text.h"
 
 namespace twinbus {
@@ -48,7 +48,7 @@ class BodyWriter {
  public:
   BodyWriter(const Model& model, const MjcfContact& contact, const MjcfParts& parts, ExportedMeshes& meshes)
       : model_(model), contact_(contact), parts_(parts), meshes_(meshes),
-        mujoco_(mujoco_config_of(model)), children_(model.links.size()) {
+        mujoco_(model.mujoco), children_(model.links.size()) {
     for (int i = 1; i < model.link_count(); ++i) children_[at(model.links[at(i)].parent)].push_back(i);
   }
 
@@ -151,7 +151,7 @@ class BodyWriter {
   const MjcfContact& contact_;
   const MjcfParts& parts_;
   ExportedMeshes& meshes_;
-  MujocoConfig mujoco_;
+  const MujocoConfig& mujoco_;
   std::vector<std::vector<int>> children_;
   std::map<std::string, MjcfText::Geom> geoms_;
 };

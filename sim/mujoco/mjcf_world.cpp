@@ -5,7 +5,6 @@
 
 #include "common/math/index.h"
 #include "common/text/xml.h"
-#include "robot/mjcf/mujoco_config.h"
 #include "robot/mjcf/urdf_text.h"
 
 namespace twinbus {
@@ -147,7 +146,7 @@ MjcfWorld mjcf_of_world(const std::string& name, const Model& model, const World
   const MjcfContact contact{.ground_friction = config.ground_friction,
                             .robot_bits = !engine ? "" : config.self_contact ? kSelfBits : kRobotBits,
                             .foot_bits = !engine ? "" : config.self_contact ? kSelfFootBits : kFootBits};
-  const MujocoConfig mujoco = mujoco_config_of(model);
+  const MujocoConfig& mujoco = model.mujoco;
   const MjcfParts parts{.visual = !engine, .placeable = engine, .drives = !engine};
   const MjcfText robot = mjcf_of_model(model, start.base, contact, meshes, parts);
   std::string assets;

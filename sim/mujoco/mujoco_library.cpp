@@ -165,9 +165,9 @@ MujocoLibrary::Armatures MujocoLibrary::armatures(mjModelOpaque* model) const no
   return {number_at<double*>(model, layout_.armatures), number_at<double*>(model, layout_.masses)};
 }
 
-MujocoContact MujocoLibrary::contact(const mjDataOpaque* data, int index) const noexcept {
+SolvedContact MujocoLibrary::contact(const mjDataOpaque* data, int index) const noexcept {
   const char* each = number_at<const char*>(data, layout_.list) + layout_.stride * static_cast<std::size_t>(index);
-  MujocoContact contact;
+  SolvedContact contact;
   std::memcpy(&contact.distance, each, 13 * sizeof(double));
   std::memcpy(contact.geom, each + layout_.geom, sizeof contact.geom);
   return contact;
@@ -224,7 +224,7 @@ std::string MujocoLibrary::complaint_of(const Layout& layout) {
     if (contact_count(data) != 2) return "no count of contacts there";
     if (!readable(number_at<const char*>(data, layout.list), 0, 2 * layout.stride)) return "no list of contacts there";
     for (int i = 0; i < 2; ++i) {
-      const MujocoContact each = contact(data, i);
+      const SolvedContact each = contact(data, i);
       const double x = i == 0 ? 0.3 : -0.4, y = i == 0 ? -0.2 : 0.6, depth = i == 0 ? 5e-4 : 7e-4;
       std::array<double, 6> pressed{};
       contact_force(model, data, i, pressed.data());

@@ -20,7 +20,7 @@ struct mjModelOpaque;
 struct mjDataOpaque;
 
 // A contact as MuJoCo found it at the start of the step.
-struct MujocoContact {
+struct SolvedContact {
   double distance;        // negative: depth [m]
   double position[3];     // world [m]
   double frame[9];        // rows: normal from geom[0] to geom[1], two tangents; world
@@ -44,7 +44,7 @@ class MujocoLibrary {
   static constexpr int kBody = 1, kJoint = 3, kGeom = 5;  // mjtObj
 
   int contact_count(const mjDataOpaque* data) const noexcept;
-  MujocoContact contact(const mjDataOpaque* data, int index) const noexcept;
+  SolvedContact contact(const mjDataOpaque* data, int index) const noexcept;
   // Inertias added to the joints, in the order of velocities; they may be changed between steps [kg m^2 or kg].
   struct Armatures {
     double* own = nullptr;

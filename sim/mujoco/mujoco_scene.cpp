@@ -177,7 +177,7 @@ void MujocoWorld::read_contacts() noexcept {
   elastic_ = 0.0;
   const int count = mujoco_.contact_count(data_);
   for (int i = 0; i < count; ++i) {
-    const MujocoContact each = mujoco_.contact(data_, i);
+    const SolvedContact each = mujoco_.contact(data_, i);
     std::array<double, 6> local{};
     mujoco_.contact_force(simulated_, data_, i, local.data());
     const Eigen::Map<const Eigen::Matrix3d> axes(each.frame);  // columns: MuJoCo's rows

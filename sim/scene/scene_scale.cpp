@@ -114,7 +114,7 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   double speed = std::sqrt(length);
   double most = 0.0;
   for (const TimedWalk& walk : scene.walks) most = std::max(most, std::abs(static_cast<double>(walk.request.vx)));
-  const double fastest = walking_of(model).fastest;
+  const double fastest = model.walking.fastest;
   if (fastest > 0.0 && most > 0.0) speed = std::min(speed, kOfFastest * fastest / most);
   const double mass = std::min(1.0, model.total_mass() / own.total_mass());
   const double falls = std::min(1.0, std::sqrt(length));  // four feet stand farther apart than soles are long
@@ -155,7 +155,7 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
 }
 
 void scale_to(Scene& scene, const Model& model) {
-  if (!(walking_of(model).fastest > 0.0)) return;
+  if (!(model.walking.fastest > 0.0)) return;
   const Model own = load_robot(scene.robot);
   if (own.hash != model.hash) scale_between(scene, own, model);
 }

@@ -56,8 +56,7 @@ SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
   const auto end = [&](const std::string& name, const Eigen::Vector3d& point) {
     return end_of(model, robots, scene, name, point);
   };
-  const std::vector<Loop> own = loops_of(model);
-  for (const std::vector<Loop>* loops : {&own, &scene.loops}) {
+  for (const std::vector<Loop>* loops : {&model.loops, &scene.loops}) {
     for (const Loop& loop : *loops) {
       Tie tie;
       tie.a = end(loop.link, loop.point);

@@ -167,20 +167,17 @@ class World {
   virtual Status push(int link, const Eigen::Vector3d& point,
                       const Eigen::Vector3d& force) noexcept = 0;
 
-  // Lowers the ground under one sole corner by offset [m], to continue the foot forces of another
-  // source.
+  // Lowers the ground under one sole corner by offset [m], to continue the foot forces of another source.
   virtual void set_corner_offset(int sole, int corner, double offset) noexcept = 0;
   virtual double corner_offset(int sole, int corner) const noexcept = 0;
 
-  // Fills contacts() for the present state, before any step: normal forces of springs and dampers
-  // only.
+  // Fills contacts() for the present state, before any step: normal forces of springs and dampers only.
   virtual void estimate_contact_forces() noexcept = 0;
 
   // One step of config.step.  kDiverged: the world is frozen as it last was.
   virtual Status step() noexcept = 0;
 
-  // As of the last step.  q and qd are the link side; encoder() is the servo side, which differs by
-  // backlash.
+  // As of the last step.  q and qd are the link side; encoder() is the servo side, which differs by backlash.
   virtual const Configuration& configuration() const noexcept = 0;
   virtual double encoder(int joint) const noexcept = 0;
   virtual double tau(int joint) const noexcept = 0;  // of the servo, no friction or rotor inertia

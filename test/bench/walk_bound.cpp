@@ -90,7 +90,7 @@ int run(int argc, char** argv) {
   options.number("--phase", "SHARE", phase, 0.0, 1.0, "of two steps");
   options.parse(argc, argv);
   const Model model = load_robot(robot);
-  const Gait gait = gait_of(model, walking_of(model), 0.01);
+  const Gait gait = gait_of(model, model.walking, 0.01);
   const double time = kPushed + 2.0 * gait.period() * phase;
   Spot spot(model);
   if (!spot.until(time)) throw std::runtime_error("the robot falls before the push");

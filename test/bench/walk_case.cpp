@@ -88,7 +88,7 @@ bool say(bool held, nlohmann::json found) {
 
 // A balanced stop: how long until both soles stand for good.
 bool stop(const Bench& bench, double phase) {
-  const Gait gait = gait_of(bench.model, walking_of(bench.model), 0.01);
+  const Gait gait = gait_of(bench.model, bench.model.walking, 0.01);
   Walker robot(bench, scene_of(bench), {});
   bool good = robot.walk(bench.model, bench.speed, 0.0, 4.0 + 2.0 * gait.period() * phase);
   const auto asked = static_cast<double>(robot.ticks());
@@ -105,7 +105,7 @@ bool stop(const Bench& bench, double phase) {
 }
 
 bool push(const Bench& bench, double dvx, double dvy, double phase, bool standing) {
-  const Gait gait = gait_of(bench.model, walking_of(bench.model), 0.01);
+  const Gait gait = gait_of(bench.model, bench.model.walking, 0.01);
   Scene scene = scene_of(bench);
   Push push;
   push.link = bench.model.links.front().name;
@@ -150,7 +150,7 @@ bool walk_timed(const Bench& bench, int same_rounds, test::CoreAlone& core, Time
   scene.step = 0.001;
   Walker robot(bench, scene, {});
   if (!robot.walk(bench.model, bench.speed, 0.0, 3.0)) return false;
-  WalkPattern pattern(gait_of(bench.model, walking_of(bench.model), 0.01));
+  WalkPattern pattern(gait_of(bench.model, bench.model.walking, 0.01));
   pattern.start({pattern.foot(0), pattern.foot(1)});
   pattern.want({bench.speed, 0.0, 0.0});
   RobotState& state = robot.state();
@@ -256,7 +256,7 @@ int run(int argc, char** argv) {
   options.integer("--seed", "N", seed, 0, 1'000'000'000, "of the tiles");
   options.parse(argc, argv);
   bench.model = load_robot(robot);
-  if (pattern != "own") bench.model = test::say_walking(bench.model, "pattern: " + pattern);
+  if (pattern != "own") bench.model.walking.preview = pattern == "preview";
   if (word == "time") {
     time_ticks(bench, bench.guard);
     return 0;
@@ -269,7 +269,7 @@ int run(int argc, char** argv) {
   }
   Eigen::Vector3d velocity(bench.speed, 0.0, 0.0);
   if (share > 0.0) {
-    const Eigen::Vector3d most = gait_of(bench.model, walking_of(bench.model), 0.01).most_velocity;
+    const Eigen::Vector3d most = gait_of(bench.model, bench.model.walking, 0.01).most_velocity;
     const int k = axis == "forward" ? 0 : axis == "sideways" ? 1 : 2;
     velocity.setZero();
     velocity[k] = share * most[k];

@@ -180,7 +180,7 @@ class EngineWalk {
 
 double step_time_of(const Model& model) {
   if (why_no_point_feet(model) == nullptr) return step_gait_of(model).step_time();
-  return gait_of(model, walking_of(model), 0.01).period();
+  return gait_of(model, model.walking, 0.01).period();
 }
 
 int switch_engines(const Model& model, const EngineSwitches& how) {

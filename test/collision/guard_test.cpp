@@ -43,11 +43,7 @@ std::int64_t arm_mask() {
 // With a margin of their own for these pairs [m].
 Model with_margins(const std::vector<CollisionPair>& pairs, double margin) {
   Model model = hrp1s();
-  model.yaml_text += "\nnear_pairs:\n";
-  for (const CollisionPair& p : pairs) {
-    model.yaml_text += "  - {links: [" + model.links[static_cast<std::size_t>(p.link_a)].name + ", " +
-                       model.links[static_cast<std::size_t>(p.link_b)].name + "], margin: " + std::to_string(margin) + "}\n";
-  }
+  for (const CollisionPair& p : pairs) model.near_pairs.push_back({p.link_a, p.link_b, margin});
   return model;
 }
 

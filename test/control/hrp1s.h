@@ -2,8 +2,6 @@
 
 #pragma once
 
-#include <string>
-
 #include "robot/description/load.h"
 #include "robot/description/model.h"
 
@@ -14,14 +12,9 @@ inline const Model& hrp1s() {
   return model;
 }
 
-// As if the map `walking` of its robot.yaml said so too.
-inline Model say_walking(Model model, const std::string& words) {
-  const std::size_t walking = model.yaml_text.find("walking:");
-  if (walking == std::string::npos) {
-    model.yaml_text += "\nwalking: {" + words + "}\n";
-  } else {
-    model.yaml_text.insert(model.yaml_text.find('{', walking) + 1, words + ", ");
-  }
+// With `pattern: preview` or `pattern: closed_form` in the map `walking` of its robot.yaml.
+inline Model with_pattern(Model model, bool preview) {
+  model.walking.preview = preview;
   return model;
 }
 

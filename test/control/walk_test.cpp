@@ -75,8 +75,8 @@ TEST(Walk, WalksForwardSidewaysAndTurnsAtTheVelocityAskedAndComesToStand) {
 }
 
 TEST(Walk, WithAReferenceOfPreviewControlItWalksTurnsAndComesToStandToo) {
-  const Model model = test::say_walking(test::hrp1s(), "pattern: preview");
-  ASSERT_TRUE(walking_of(model).preview);
+  const Model model = test::with_pattern(test::hrp1s(), true);
+  ASSERT_TRUE(model.walking.preview);
   Walker robot(model), closed;
   for (Walker* each : {&robot, &closed}) {
     ASSERT_TRUE(each->set_off());
@@ -192,8 +192,8 @@ TEST(Walk, TheGamepadsSticksWalk) {
 
 TEST(Walk, NoTickAllocates) {
   if (!allocations_counted()) GTEST_SKIP() << "not counted in this build";
-  for (const char* pattern : {"pattern: closed_form", "pattern: preview"}) {
-    const Model model = test::say_walking(test::hrp1s(), pattern);
+  for (const bool preview : {false, true}) {
+    const Model model = test::with_pattern(test::hrp1s(), preview);
     Walker robot(model);
     ASSERT_TRUE(robot.run(0.3));
     Estimator estimator(model);
@@ -204,7 +204,7 @@ TEST(Walk, NoTickAllocates) {
     const Eigen::VectorXd q = estimator.configuration().q;
     NoAlloc no_alloc;
     for (int i = 0; i < 1500; ++i) walk.update(estimator, q, model.period());
-    EXPECT_EQ(no_alloc.count(), 0) << pattern;
+    EXPECT_EQ(no_alloc.count(), 0) << (preview ? "preview" : "closed_form");
   }
 }
 

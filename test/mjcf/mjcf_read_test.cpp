@@ -7,6 +7,7 @@
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "common/text/strict_yaml.h"
 #include "robot/description/load.h"
 #include "robot/description/srdf.h"
 #include "robot/mjcf/geom_inertia.h"

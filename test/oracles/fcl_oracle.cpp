@@ -11,7 +11,7 @@
 #include "common/math/index.h"
 #include "geometry/mesh/mesh_file.h"
 #include "robot/collision/links/geometry_cache.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

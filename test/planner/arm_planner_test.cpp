@@ -339,11 +339,9 @@ TEST(ArmPlanner, AGoalKeepsOfLinksThatAreNearByDesignWhatTheGuardKeeps) {
   Model close = hrp1s();
   std::array<PairDistance, 16> near;
   const int count = collision.near_pairs(kinematics, 0.013, near.data(), 16);
-  close.yaml_text += "\nnear_pairs:\n";
   for (int i = 0; i < count; ++i) {
-    const auto name = [&](int link) { return hrp1s().links[static_cast<std::size_t>(link)].name; };
     const PairDistance& pair = near[static_cast<std::size_t>(i)];
-    close.yaml_text += "  - {links: [" + name(pair.link_a) + ", " + name(pair.link_b) + "], margin: 0.003}\n";
+    close.near_pairs.push_back({pair.link_a, pair.link_b, 0.003});
   }
   ArmPlanner planner(close);
   const ArmPlan plan = planner.plan(goal, start, kGround, 1);

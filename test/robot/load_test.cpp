@@ -276,7 +276,7 @@ TEST(Load, PairsThatAreNearByDesignAreNamedWithAMarginBelowTheGuards) {
 }
 
 // Whoever reads them, what is wrong with them is said when the robot is loaded.
-TEST(Load, LoopsAndToolsAreChecked) {
+TEST(Load, LoopsToolsAndMujocoAreChecked) {
   const auto load = [](const std::string& more) {
     Folder robot;
     robot.yaml += more;
@@ -287,6 +287,9 @@ TEST(Load, LoopsAndToolsAreChecked) {
   EXPECT_EQ(load("tools:\n  pen: {frame: plate, at: [0, 0, 0.1]}\n"), "");
   EXPECT_NE(load("tools:\n  pen: {frame: d}\n").find("there is no link d"), std::string::npos);
   EXPECT_NE(load("tools:\n  pen: {frame: plate, ta: [0, 0, 0.1]}\n").find("ta"), std::string::npos);
+  EXPECT_EQ(load("mujoco:\n  contacts: [{links: [plate]}]\n"), "");
+  EXPECT_NE(load("mujoco:\n  contacts: [{links: [nose]}]\n").find("there is no link nose"), std::string::npos);
+  EXPECT_NE(load("mujoco:\n  iteration: 1\n").find("iterations"), std::string::npos);
 }
 
 }  // namespace

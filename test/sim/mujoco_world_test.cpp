@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/text/strict_yaml.h"
 #include "robot/description/load.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/engine/make_world.h"
@@ -205,7 +206,7 @@ TEST_F(MujocoWorldTest, HrpStandsAndItsSolesCarryItsWeight) {
 TEST_F(MujocoWorldTest, SolverAndContactsAreThoseOfRobotYaml) {
   Model model = test::block();
   const auto slid = [&](const std::string& yaml, double ground, double speed = 1.0) {
-    model.yaml_text = "urdf: x\n" + yaml;
+    model.mujoco = read_mujoco_config(ConfigNode::parse("{" + yaml + "}", "robot.yaml"));
     WorldConfig config;
     config.ground_friction = ground;
     const auto world = make(model, config);
@@ -219,14 +220,13 @@ TEST_F(MujocoWorldTest, SolverAndContactsAreThoseOfRobotYaml) {
     return world->com().x();
   };
   model.frames = {{model.links[0].name, 0, Eigen::Isometry3d::Identity()}};
-  const std::string contact = "  contacts: [{links: [" + model.links[0].name + "], friction: [0.2, 0.005, 0.0001]}]\n";
+  const std::string contact = "contacts: [{links: [" + model.links[0].name + "], friction: [0.2, 0.005, 0.0001]}]";
   const double usual = slid("", 0.8);
-  const double slippery = slid("mujoco:\n" + contact, 0.8);
+  const double slippery = slid(contact, 0.8);
   EXPECT_GT(slippery, 1.5 * usual);
-  EXPECT_LT(slid("mujoco:\n" + contact, 3.2), 0.8 * slippery);  // on a ground that holds better
-  EXPECT_NEAR(slid("mujoco:\n  iterations: 1\n  ls_iterations: 5\n" + contact, 0.8, 0.0), slid("", 0.8, 0.0), 2e-3);
-  EXPECT_NE(test::error_of([&] { (void)slid("mujoco:\n  contacts: [{links: [nose]}]\n", 0.8); }).find("nose"), std::string::npos);
-  EXPECT_NE(test::error_of([&] { (void)slid("mujoco:\n  iteration: 1\n", 0.8); }).find("iterations"), std::string::npos);
+  EXPECT_LT(slid(contact, 3.2), 0.8 * slippery);  // on a ground that holds better
+  EXPECT_NEAR(slid("iterations: 1, ls_iterations: 5, " + contact, 0.8, 0.0), slid("", 0.8, 0.0), 2e-3);
+  EXPECT_NE(test::error_of([&] { (void)slid("iteration: 1", 0.8); }).find("iterations"), std::string::npos);
 }
 
 // MuJoCo's contact is as stiff as what it carries is heavy.

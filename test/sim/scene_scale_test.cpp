@@ -21,7 +21,7 @@ Model half_as_long(const Model& model) {
     sole.back *= 0.5;
   }
   for (Link& link : small.links) link.mass *= 0.125;
-  small.yaml_text += small.yaml_text.find("\nwalking:") == std::string::npos ? "\nwalking: {fastest: 0.4}\n" : "";
+  if (!(small.walking.fastest > 0.0)) small.walking.fastest = 0.4;
   return small;
 }
 

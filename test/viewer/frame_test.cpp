@@ -95,7 +95,7 @@ TEST(LiveFrame, SupportPolygonIsTheHullOfTheLoadedSoles) {
 // As the guard does: of links that are near by design less is kept.
 TEST(LiveFrame, APairThatIsNearByDesignIsNoAlarm) {
   Model close = model();
-  close.yaml_text += "\nnear_pairs:\n  - {links: [" + close.links[1].name + ", " + close.links[7].name + "], margin: 0.003}\n";
+  close.near_pairs = {{1, 7, 0.003}};
   StackView view(close);
   view.on_state(standing(), kNow);
   GuardReport report;

@@ -145,7 +145,7 @@ TEST(RobotRoots, PackagesOfRobotYamlAndOwnNameAreRead) {
   for (const char* file : {"mine/meshes/a.stl", "theirs/meshes/b.obj", "theirs/secret.yaml"}) std::ofstream(top / file) << file;
   Model model = load_robot("hrp1s");
   model.folder = (top / "mine").string();
-  model.yaml_text += "\npackages:\n  theirs: ../theirs\n";
+  model.packages.emplace_back("theirs", "../theirs");
   const std::vector<WebRoot> roots = robot_roots(model);
   EXPECT_EQ(find_file(roots, "/robot/meshes/a.stl"), fs::canonical(top / "mine/meshes/a.stl"));
   EXPECT_EQ(find_file(roots, "/robot/package/mine/meshes/a.stl"), fs::canonical(top / "mine/meshes/a.stl"));

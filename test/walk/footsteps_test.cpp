@@ -14,7 +14,7 @@
 namespace twinbus {
 namespace {
 
-Gait gait() { return gait_of(test::hrp1s(), walking_of(test::hrp1s()), 0.01); }
+Gait gait() { return gait_of(test::hrp1s(), test::hrp1s().walking, 0.01); }
 
 // Where the middle between the feet has gone in so many steps: x, y, heading.
 Eigen::Vector3d walked(const Gait& g, const Eigen::Vector3d& velocity, int steps) {
@@ -48,7 +48,7 @@ TEST(Footsteps, TheMiddleBetweenTheFeetMovesAtTheVelocity) {
 TEST(Footsteps, NarrowSolesAreAskedToStepAsideAndTurnSlower) {
   Model narrow = test::hrp1s();
   for (Sole& sole : narrow.soles) sole.left = sole.right = 0.035;
-  const Gait slow = gait_of(narrow, walking_of(narrow), 0.01), usual = gait();
+  const Gait slow = gait_of(narrow, narrow.walking, 0.01), usual = gait();
   EXPECT_NEAR(slow.most_velocity.z(), usual.most_velocity.z() * 0.07 / 0.13, 1e-9);
   EXPECT_LT(slow.acceleration.y(), 0.8 * usual.acceleration.y());
   EXPECT_GT(slow.most_velocity.x(), 0.9 * usual.most_velocity.x());
@@ -155,7 +155,7 @@ TEST(Footsteps, WhatIsAskedIsCutToWhatTheLegsReach) {
 }
 
 TEST(Footsteps, ALowerRobotMakesLongerSteps) {
-  Walking low = walking_of(test::hrp1s()), high = low;
+  Walking low = test::hrp1s().walking, high = low;
   low.com_height = 0.64;
   high.com_height = 0.72;
   EXPECT_GT(gait_of(test::hrp1s(), low, 0.01).max_forward,
@@ -164,7 +164,7 @@ TEST(Footsteps, ALowerRobotMakesLongerSteps) {
 
 TEST(Footsteps, ARobotOfWeakKneesWalksOnStraighterLegs) {
   Model weak = test::hrp1s();
-  Walking unsaid = walking_of(weak);
+  Walking unsaid = weak.walking;
   unsaid.com_height = 0.0;
   const double bent = gait_of(weak, unsaid, 0.01).com_height;
   for (int foot = 0; foot < 2; ++foot)
@@ -187,10 +187,10 @@ TEST(Footsteps, ARobotOfWeakAnklesKeepsTheZmpNearThem) {
 }
 
 TEST(Footsteps, AGaitThatTheLegsCannotDoIsRefusedWithItsReason) {
-  Walking w = walking_of(test::hrp1s());
+  Walking w = test::hrp1s().walking;
   w.com_height = 1.5;
   EXPECT_THROW((void)gait_of(test::hrp1s(), w, 0.01), std::runtime_error);
-  w = walking_of(test::hrp1s());
+  w = test::hrp1s().walking;
   w.width = 0.05;
   EXPECT_THROW((void)gait_of(test::hrp1s(), w, 0.01), std::runtime_error);
 }

@@ -135,7 +135,7 @@ TEST(LegMotion, SevenJointsFollowBothSolesAndComeBackToTheirPosture) {
 
 TEST(LegMotion, LegsThatCannotTurnWalkStraightAsFastAsTheyCan) {
   const Model model = welded("HIP_Y");
-  const Gait gait = gait_of(model, walking_of(model), 0.01);
+  const Gait gait = gait_of(model, model.walking, 0.01);
   EXPECT_EQ(gait.most_velocity.z(), 0.0);
   const Eigen::Vector3d fast = gait.possible({9.0, 0.0, 0.5});
   EXPECT_NEAR(fast.x(), gait.most_velocity.x(), 1e-12);

@@ -22,7 +22,7 @@ Moved moved_in_a_tick(double times) {
   for (Sole& sole : model.soles) sole.stiffness *= times;
   const double weight = model.total_mass() * kGravity;
   const Sole& sole = model.soles[0];
-  WalkPattern pattern(gait_of(model, walking_of(model), 0.01), SwingGains{});
+  WalkPattern pattern(gait_of(model, model.walking, 0.01), SwingGains{});
   std::array<Foothold, 2> places;
   for (int f = 0; f < 2; ++f) places[static_cast<std::size_t>(f)].position << 0.0, side_of(f) * 0.1;
   pattern.start(places);

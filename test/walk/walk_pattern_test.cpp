@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kDt = 0.002, kOmega = 3.74;
 
-Gait gait() { return gait_of(test::hrp1s(), walking_of(test::hrp1s()), 0.01); }
+Gait gait() { return gait_of(test::hrp1s(), test::hrp1s().walking, 0.01); }
 
 // A robot that does what the pattern says: a pendulum on the reference ZMP, and soles that land where they were sent.
 struct Puppet {

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <string>
 
-#include "robot/description/robot_yaml.h"
-
 namespace twinbus {
 
 std::vector<WebRoot> robot_roots(const Model& model) {
@@ -14,7 +12,7 @@ std::vector<WebRoot> robot_roots(const Model& model) {
   const auto add = [&](const std::string& package, const fs::path& folder) {
     roots.push_back({"/robot/package/" + package + "/", folder.string()});
   };
-  for (const auto& [name, folder] : robot_yaml_of(model).packages) add(name, own / folder);
+  for (const auto& [name, folder] : model.packages) add(name, own / folder);
   add(own.filename().string(), own);  // where none of its name is named, which comes first
   return roots;
 }

@@ -1,7 +1,7 @@
 #include "viewer_log/view/scene_frame.h"
 
 #include "robot/collision/thing_name.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

@@ -9,7 +9,6 @@
 
 #include "common/file/write_file.h"
 #include "common/math/pose_math.h"
-#include "robot/description/robot_yaml.h"
 
 namespace twinbus {
 
@@ -45,7 +44,7 @@ Json scene_list(const std::string& folder) {
 
 double to_micro(double value) { return std::round(1e6 * value) / 1e6; }
 
-double to_nano(double value) { return std::round(1e9 * value) / 1e9; }  // as the model's hash
+double to_nano(double value) { return std::round(1e9 * value) / 1e9 + 0.0; }  // as the model's hash; no -0
 
 Json limb_json(const char* kind, const char* side, const std::string& frame, const Eigen::Isometry3d& offset) {
   const Eigen::Vector3d at = offset.translation(), rpy = rpy_from_rotation(offset.linear());
@@ -61,20 +60,23 @@ Json limb_json(const char* kind, const char* side, const std::string& frame, con
 Json limb_list(const Model& model) {
   Json list = Json::array();
   if (model.yaml_text.empty()) return list;
-  const RobotYaml yaml = robot_yaml_of(model);
+  const auto in_place = [&](const std::string& place, const Eigen::Isometry3d& frame) {
+    return Eigen::Isometry3d(frame_called(model, place, model.folder).in_link.inverse() * frame);
+  };
   constexpr std::array<const char*, 2> kSides = {"left", "right"};
   for (std::size_t side = 0; side < 2; ++side) {
-    const SoleEntry& entry = yaml.soles[side];
-    if (!entry.present) continue;
-    Json json = limb_json("sole", kSides[side], entry.frame, entry.offset);
-    json["edges"] = {{"front", entry.sole.front}, {"back", entry.sole.back}, {"left", entry.sole.left}, {"right", entry.sole.right}};
+    const Sole& sole = model.soles[side];
+    if (sole.link < 0) continue;
+    Json json = limb_json("sole", kSides[side], sole.place, in_place(sole.place, sole.frame));
+    json["edges"] = {{"front", sole.front}, {"back", sole.back}, {"left", sole.left}, {"right", sole.right}};
     list.push_back(json);
   }
   for (std::size_t side = 0; side < 2; ++side) {
-    const HandEntry& entry = yaml.hands[side];
-    if (entry.present) list.push_back(limb_json("hand", kSides[side], entry.frame, entry.offset));
+    const Hand& hand = model.hands[side];
+    if (hand.link >= 0) list.push_back(limb_json("hand", kSides[side], hand.place, in_place(hand.place, hand.frame)));
   }
-  list.push_back(limb_json("imu", "", yaml.imu_frame.empty() ? model.links.front().name : yaml.imu_frame, yaml.imu_offset));
+  const std::string& imu = model.imu_place.empty() ? model.links.front().name : model.imu_place;
+  list.push_back(limb_json("imu", "", imu, in_place(imu, model.imu)));
   return list;
 }
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "common/text/strict_yaml.h"
-#include "robot/description/model.h"
-
 namespace twinbus {
+
+class ConfigNode;
+struct Model;
 
 // Of links with the ground, in MuJoCo's words; it is written on their geoms, so obstacles and loose bodies meet it too.
 struct MujocoContact {
@@ -45,8 +45,6 @@ struct MujocoConfig {
 
 // Throws std::runtime_error naming file, line and key.
 MujocoConfig read_mujoco_config(const ConfigNode& node);
-// Of a loaded robot: as its robot.yaml says, or the defaults.  Throws as that does, also for links that it has not.
-MujocoConfig mujoco_config_of(const Model& model);
 // The map as text, with its comment; empty where everything is MuJoCo's default.
 std::string mujoco_yaml(const MujocoConfig& config);
 

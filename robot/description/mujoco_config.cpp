@@ -1,7 +1,8 @@
-#include "robot/mjcf/mujoco_config.h"
+#include "robot/description/mujoco_config.h"
 
 #include "common/text/formatted.h"
-#include "robot/description/robot_yaml.h"
+#include "common/text/strict_yaml.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 
@@ -67,16 +68,6 @@ MujocoConfig read_mujoco_config(const ConfigNode& node) {
   config.impratio = node.number("impratio", 1e-3, 1e6, config.impratio);
   for (const ConfigNode& each : node.list("contacts")) config.contacts.push_back(read_contact(each));
   node.finish();
-  return config;
-}
-
-MujocoConfig mujoco_config_of(const Model& model) {
-  const std::optional<ConfigNode> node = robot_yaml_of(model).mujoco;
-  if (!node) return {};
-  MujocoConfig config = read_mujoco_config(*node);
-  for (const MujocoContact& contact : config.contacts) {
-    for (const std::string& link : contact.links) (void)frame_called(model, link, node->where("contacts"));
-  }
   return config;
 }
 
