@@ -79,10 +79,10 @@ class FaceProcess {
         node_(a.common, ProcessKind::kUser, real_time),
         dds_(a.face.family, UnitreeDds::Side::kRobot, a.dds) {
     Bus& bus = node_.bus();
-    bus.listen_each<&FaceProcess::hear_state>(channel::kState, *this);
-    bus.listen_each<&FaceProcess::hear_command>(channel::kCommand, *this);
-    bus.listen_each<&Face::on_source>(channel::kSourceStatus, face_);
-    bus.listen_each<&FaceProcess::hear_gamepad>(channel::kGamepad, *this);
+    bus.listen<&FaceProcess::hear_state>(channel::kState, *this);
+    bus.listen<&FaceProcess::hear_command>(channel::kCommand, *this);
+    bus.listen<&Face::on_source>(channel::kSourceStatus, face_);
+    bus.listen<&FaceProcess::hear_gamepad>(channel::kGamepad, *this);
   }
 
   const Face& face() const { return face_; }

@@ -19,7 +19,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/plan_refusal.h"
 #include "robot/collision/thing_name.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
 
 namespace twinbus {
@@ -33,11 +33,11 @@ class GamepadArm {
   }
 
   void listen(Bus& bus) {
-    bus.listen_each<&HandTarget::on_path>(channel::kArmPath, target_);
-    bus.listen_each<&GamepadArm::hear_status>(channel::kControllerStatus, *this);
-    bus.listen_each<&GamepadArm::hear_gamepad>(channel::kGamepad, *this);
-    bus.listen_each<&GamepadArm::hear_event>(channel::kEvent, *this);
-    bus.listen_each<&GamepadArm::hear_guard>(channel::kGuard, *this);
+    bus.listen<&HandTarget::on_path>(channel::kArmPath, target_);
+    bus.listen<&GamepadArm::hear_status>(channel::kControllerStatus, *this);
+    bus.listen<&GamepadArm::hear_gamepad>(channel::kGamepad, *this);
+    bus.listen<&GamepadArm::hear_event>(channel::kEvent, *this);
+    bus.listen<&GamepadArm::hear_guard>(channel::kGuard, *this);
   }
   // Once per cycle, with the newest state.
   void update(const RobotState& state, bool fresh, Teleop& teleop) {

@@ -39,8 +39,8 @@ class Requests {
   bool says_mode() const { return of_operator_ && mode_.left > 0; }
 
   void send(Bus& bus) {
-    stop_.send(bus, channel::kStop);
-    mode_.send(bus, channel::kModeRequest);
+    stop_.send(bus);
+    mode_.send(bus);
   }
 
  private:

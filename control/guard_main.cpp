@@ -53,8 +53,8 @@ class GuardProcess : RobotProcess {
         journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{&node_}) {
     listen_to_robot(*this);
     Bus& bus = node_.bus();
-    bus.listen_each<&GuardProcess::hear_command>(channel::kCommand, *this);
-    bus.listen_each<&GuardProcess::hear_source>(channel::kSourceStatus, *this);
+    bus.listen<&GuardProcess::hear_command>(channel::kCommand, *this);
+    bus.listen<&GuardProcess::hear_source>(channel::kSourceStatus, *this);
   }
 
   std::string about() const {

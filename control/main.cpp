@@ -88,22 +88,12 @@ class Controller : RobotProcess {
 
   void listen() {
     listen_to_robot(*this);
-    pass_on<&ControlLoop::on_mode_request>(channel::kModeRequest);
-    pass_on<&ControlLoop::on_walk_command>(channel::kWalk);
-    pass_on<&ControlLoop::on_step_list>(channel::kSteps);
-    pass_on<&ControlLoop::on_motion>(channel::kMotion);
-    pass_on<&ControlLoop::on_gamepad>(channel::kGamepad);
-    pass_on<&ControlLoop::on_arm_path>(channel::kArmPath);
-    pass_on<&ControlLoop::on_arm_goal>(channel::kArmGoal);
-    pass_on<&ControlLoop::on_stop>(channel::kStop);
-    pass_on<&ControlLoop::on_guard>(channel::kGuard);
+    for_each_control_input([this]<auto kOn>() {
+      node_.bus().listen<&Controller::hear<kOn>>(channel_of(MessageOf<kOn>{}), *this);
+    });
   }
 
-  // What comes on the channel goes into the journal, then into the loop.
-  template <auto kOn>
-  void pass_on(const char* name) {
-    node_.bus().listen_each<&Controller::hear<kOn>>(name, *this);
-  }
+  // Into the journal, then into the loop.
   template <auto kOn>
   void hear(const MessageOf<kOn>& message, Bytes bytes) {
     const std::int64_t now = monotonic_ns();

@@ -36,9 +36,9 @@ class RobotProcess {
   template <class Process>
   void listen_to_robot(Process& process) {
     Bus& bus = node_.bus();
-    bus.listen_each<&Process::hear_state>(channel::kState, process);
-    bus.listen_each<&Process::hear_obstacles>(channel::kObstacles, process);
-    bus.listen_each<&Process::hear_held>(channel::kHeld, process);
+    bus.listen<&Process::hear_state>(channel::kState, process);
+    bus.listen<&Process::hear_obstacles>(channel::kObstacles, process);
+    bus.listen<&Process::hear_held>(channel::kHeld, process);
   }
 
   // Once per scene: not part of the loop.

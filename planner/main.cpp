@@ -37,9 +37,9 @@ class PlannerProcess : RobotProcess {
         worker_(model) {
     listen_to_robot(*this);
     Bus& bus = node_.bus();
-    bus.listen_each<&PlannerProcess::hear_command>(channel::kCommand, *this);
-    bus.listen_each<&PlannerProcess::hear_controller>(channel::kControllerStatus, *this);
-    bus.listen_each<&PlannerProcess::hear_goal>(channel::kArmGoal, *this);
+    bus.listen<&PlannerProcess::hear_command>(channel::kCommand, *this);
+    bus.listen<&PlannerProcess::hear_controller>(channel::kControllerStatus, *this);
+    bus.listen<&PlannerProcess::hear_goal>(channel::kArmGoal, *this);
   }
 
   void run() {

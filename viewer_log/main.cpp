@@ -126,16 +126,16 @@ class Viewer {
     bus_.listen(channel::kStateSim, standby_[0]);
     bus_.listen(channel::kStateBridge, standby_[1]);
     bus_.listen(channel::kStateReplay, standby_[2]);
-    to_view<&StackView::on_source_status>(channel::kSourceStatus);
-    to_view<&StackView::on_heartbeat>(channel::kHeartbeat);
-    to_view<&StackView::on_event>(channel::kEvent);
-    to_view<&StackView::on_obstacles>(channel::kObstacles);
-    to_view<&StackView::on_held>(channel::kHeld);
-    to_view<&StackView::on_terrain>(channel::kTerrain);
-    to_view<&StackView::on_loose>(channel::kLoose);
-    to_view<&StackView::on_footsteps>(channel::kFootsteps);
-    to_view<&StackView::on_arm_path>(channel::kArmPath);
-    to_view<&StackView::on_camera>(channel::kCamera);
+    bus_.listen<&StackView::on_source_status>(channel::kSourceStatus, view_);
+    bus_.listen<&StackView::on_heartbeat>(channel::kHeartbeat, view_);
+    bus_.listen<&StackView::on_event>(channel::kEvent, view_);
+    bus_.listen<&StackView::on_obstacles>(channel::kObstacles, view_);
+    bus_.listen<&StackView::on_held>(channel::kHeld, view_);
+    bus_.listen<&StackView::on_terrain>(channel::kTerrain, view_);
+    bus_.listen<&StackView::on_loose>(channel::kLoose, view_);
+    bus_.listen<&StackView::on_footsteps>(channel::kFootsteps, view_);
+    bus_.listen<&StackView::on_arm_path>(channel::kArmPath, view_);
+    bus_.listen<&StackView::on_camera>(channel::kCamera, view_);
   }
 
   void run() {
@@ -156,16 +156,6 @@ class Viewer {
   }
 
  private:
-  // Hands every message of a channel to the view.
-  template <auto kTake>
-  void to_view(const char* name) {
-    bus_.listen_each<&Viewer::show<kTake>>(name, *this);
-  }
-  template <auto kTake>
-  void show(const MessageOf<kTake>& message) {
-    hand_over<kTake>(message, view_, monotonic_ns());
-  }
-
   // Empty when it is not given: a random one is drawn.
   static std::string token_of(const char* name) {
     const char* token = std::getenv(name);
@@ -299,12 +289,12 @@ class Viewer {
     }
     SourceRequest change;
     if (switch_plan_.next(view_, now, change)) switch_.start(change);
-    stop_.send(bus_, channel::kStop);
-    switch_.send(bus_, channel::kSourceRequest);
-    mode_.send(bus_, channel::kModeRequest);
-    walk_.send(bus_, channel::kWalk);
-    sim_.send(bus_, channel::kSimRequest);
-    goal_.send(bus_, channel::kArmGoal);
+    stop_.send(bus_);
+    switch_.send(bus_);
+    mode_.send(bus_);
+    walk_.send(bus_);
+    sim_.send(bus_);
+    goal_.send(bus_);
   }
 
   // The page points into the world it draws; goals are in the robot's ground frame.

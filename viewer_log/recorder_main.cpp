@@ -150,9 +150,9 @@ class RecorderProcess {
     add_pieces(schema_texts(), kSchemaText, messages);
     recorder_.describe(prefix_ + channel::kLogText, std::move(messages));
     bus_.listen_raw(("(" + a.channels + ")").c_str(), on_message_, kQueue);
-    bus_.listen_each<&GapMeter::on_active>(channel::kState, meter_);
-    for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
-      bus_.listen_each<&GapMeter::on_other>(name, meter_);
+    bus_.listen<&GapMeter::on_active>(channel::kState, meter_);
+    for (const Channel<RobotState>& name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
+      bus_.listen<&GapMeter::on_other>(name, meter_);
     }
     dropped_before_ = bus_.dropped_datagrams();  // what came before it listened is not lost
   }

@@ -90,8 +90,8 @@ class Shell {
 
   void listen() {
     Bus& bus = node_.bus();
-    bus.listen_each<&Shell::hear_state>(channel::kState, *this);
-    for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
+    bus.listen<&Shell::hear_state>(channel::kState, *this);
+    for (const Channel<RobotState>& name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
       to_source<&Source::on_standby_state>(name);
     }
     to_source<&Source::on_command>(channel::kCommand);
@@ -102,14 +102,14 @@ class Shell {
     to_source<&Source::on_guard>(channel::kGuard);
     to_source<&Source::on_controller_status>(channel::kControllerStatus);
     if (!adaptor_.is_hardware() && adaptor_.can_be_set())
-      bus.listen_each<&Shell::obey>(channel::kSimRequest, *this);
-    bus.listen_each<Estimate>(channel::kEstimate, estimate_);  // last: HEARTBEAT has rows for twelve
+      bus.listen<&Shell::obey>(channel::kSimRequest, *this);
+    bus.listen(channel::kEstimate, estimate_);  // last: HEARTBEAT has rows for twelve
   }
 
   // What comes on the channel goes to the source, at the time of its clock.
   template <auto kOn>
-  void to_source(const char* name) {
-    node_.bus().listen_each<&Shell::hear<kOn>>(name, *this);
+  void to_source(const Channel<MessageOf<kOn>>& name) {
+    node_.bus().listen<&Shell::hear<kOn>>(name, *this);
   }
   template <auto kOn>
   void hear(const MessageOf<kOn>& message) noexcept {
@@ -298,7 +298,7 @@ class Shell {
   }
 
   template <class T>
-  void send(const char* name, const T& value) {
+  void send(const Channel<T>& name, const T& value) {
     node_.send(name, value);
   }
 
@@ -399,7 +399,7 @@ class Shell {
     void loose(ObstaclesPiece& piece) const noexcept { stamped(channel::kLoose, piece); }
     void held(ObstaclesPiece& piece) const noexcept { stamped(channel::kHeld, piece); }
     template <class T>
-    void stamped(const char* name, T& piece) const noexcept {
+    void stamped(const Channel<T>& name, T& piece) const noexcept {
       piece.utime = wall_us();
       s->send(name, piece);
     }

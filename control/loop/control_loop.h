@@ -81,4 +81,19 @@ class ControlLoop {
   std::unique_ptr<Impl> impl_;
 };
 
+// Every message that the controller obeys beside STATE, once, for the process, a run without a bus and `log rerun`: calls
+// visit.operator()<&ControlLoop::on_...>() for each, in the order in which a process listens.
+template <class Visit>
+constexpr void for_each_control_input(Visit&& visit) {
+  visit.template operator()<&ControlLoop::on_mode_request>();
+  visit.template operator()<&ControlLoop::on_walk_command>();
+  visit.template operator()<&ControlLoop::on_step_list>();
+  visit.template operator()<&ControlLoop::on_motion>();
+  visit.template operator()<&ControlLoop::on_gamepad>();
+  visit.template operator()<&ControlLoop::on_arm_path>();
+  visit.template operator()<&ControlLoop::on_arm_goal>();
+  visit.template operator()<&ControlLoop::on_stop>();
+  visit.template operator()<&ControlLoop::on_guard>();
+}
+
 }  // namespace twinbus

@@ -21,43 +21,20 @@ BusOptions options_of(const std::string& url, const std::string& prefix,
   return options;
 }
 
-// Takes in whatever type it is called with.
-struct Ear {
-  StackMonitor& seen;
-  bool own_channel = false;
-
-  void operator()(const RobotState& state) const {
-    seen.on_state(state, own_channel, monotonic_ns());
-  }
-  void operator()(const JointCommand& command) const { seen.on_command(command, monotonic_ns()); }
-  void operator()(const SourceStatus& status) const {
-    seen.on_source_status(status, monotonic_ns());
-  }
-  void operator()(const Heartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
-  void operator()(const SimTruth& truth) const { seen.on_truth(truth, monotonic_ns()); }
-  void operator()(const GuardReport& report) const { seen.on_guard(report, monotonic_ns()); }
-  void operator()(const ControllerStatus& status) const {
-    seen.on_controller_status(status, monotonic_ns());
-  }
-  void operator()(const Event& event) const { seen.on_event(event); }
-};
-
 }  // namespace
 
 struct BusLink::Impl {
-  Impl(const BusOptions& options, StackMonitor& seen)
-      : ear{seen, false}, own_ear{seen, true}, bus(options) {
-    bus.listen_each<RobotState>(channel::kState, ear);
-    bus.listen_each<RobotState>(channel::kStateSim, own_ear);
-    bus.listen_each<RobotState>(channel::kStateBridge, own_ear);
-    bus.listen_each<RobotState>(channel::kStateReplay, own_ear);
-    bus.listen_each<JointCommand>(channel::kCommand, ear);
-    bus.listen_each<SourceStatus>(channel::kSourceStatus, ear);
-    bus.listen_each<Heartbeat>(channel::kHeartbeat, ear);
-    bus.listen_each<SimTruth>(channel::kTruth, ear);
-    bus.listen_each<GuardReport>(channel::kGuard, ear);
-    bus.listen_each<ControllerStatus>(channel::kControllerStatus, ear);
-    bus.listen_each<Event>(channel::kEvent, ear);
+  Impl(const BusOptions& options, StackMonitor& seen) : bus(options) {
+    bus.listen<&StackMonitor::on_state>(channel::kState, seen);
+    for (const Channel<RobotState>& own : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay})
+      bus.listen<&StackMonitor::on_standby_state>(own, seen);
+    bus.listen<&StackMonitor::on_command>(channel::kCommand, seen);
+    bus.listen<&StackMonitor::on_source_status>(channel::kSourceStatus, seen);
+    bus.listen<&StackMonitor::on_heartbeat>(channel::kHeartbeat, seen);
+    bus.listen<&StackMonitor::on_truth>(channel::kTruth, seen);
+    bus.listen<&StackMonitor::on_guard>(channel::kGuard, seen);
+    bus.listen<&StackMonitor::on_controller_status>(channel::kControllerStatus, seen);
+    bus.listen<&StackMonitor::on_event>(channel::kEvent, seen);
   }
 
   void operator()(const char*, std::span<const std::uint8_t> bytes, std::int64_t) const {
@@ -65,18 +42,16 @@ struct BusLink::Impl {
   }
 
   template <class T>
-  void send(const char* channel, const T& message) {
+  void send(const Channel<T>& channel, const T& message) {
     if (!bus.send(channel, message)) {
       throw std::runtime_error(
-          std::string("cannot send on ") + channel +
+          std::string("cannot send on ") + channel.name +
           ": no route, or a number that is not fit to send; try ./twinbus doctor");
     }
   }
 
-  Ear ear;
-  Ear own_ear;
   std::function<void(std::span<const std::uint8_t>)> raw_state;
-  Bus bus;  // last: its subscriptions refer to the ears
+  Bus bus;
 };
 
 BusLink::BusLink(const std::string& url, const std::string& prefix,
@@ -107,7 +82,6 @@ void BusLink::on_raw_state(std::function<void(std::span<const std::uint8_t>)> ha
   if (first) impl_->bus.listen_raw(channel::kState, *impl_);
 }
 
-
 template <class T>
 void BusLink::stamp(T& message) {
   message.utime = wall_us();
@@ -116,21 +90,20 @@ void BusLink::stamp(T& message) {
 }
 
 template <class T>
-void BusLink::send_stamped(const char* channel, T& message) {
+void BusLink::send(T& message) {
   stamp(message);
-  impl_->send(channel, message);
+  impl_->send(channel_of(message), message);
 }
-
-void BusLink::send(SourceRequest& request) { send_stamped(channel::kSourceRequest, request); }
-void BusLink::send(ControllerRequest& request) { send_stamped(channel::kControllerRequest, request); }
-void BusLink::send(ModeRequest& request) { send_stamped(channel::kModeRequest, request); }
-void BusLink::send(StopRequest& request) { send_stamped(channel::kStop, request); }
-void BusLink::send(WalkCommand& command) { send_stamped(channel::kWalk, command); }
-void BusLink::send(StepList& list) { send_stamped(channel::kSteps, list); }
-void BusLink::send(MotionPiece& piece) { send_stamped(channel::kMotion, piece); }
-void BusLink::send(SimRequest& request) { send_stamped(channel::kSimRequest, request); }
-void BusLink::send(ArmGoal& goal) { send_stamped(channel::kArmGoal, goal); }
-void BusLink::send(Gamepad& pad) { send_stamped(channel::kGamepad, pad); }
+template void BusLink::send(SourceRequest&);
+template void BusLink::send(ControllerRequest&);
+template void BusLink::send(ModeRequest&);
+template void BusLink::send(StopRequest&);
+template void BusLink::send(WalkCommand&);
+template void BusLink::send(StepList&);
+template void BusLink::send(MotionPiece&);
+template void BusLink::send(SimRequest&);
+template void BusLink::send(ArmGoal&);
+template void BusLink::send(Gamepad&);
 
 void BusLink::alarm(const std::string& sentence) { tell(sentence, 2); }
 
@@ -141,7 +114,8 @@ void BusLink::tell(const std::string& sentence, int severity) {
   event.severity = static_cast<std::int8_t>(severity);
   event.kind = ProcessKind::kLauncher;
   std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
-  send_stamped(channel::kEvent, event);
+  stamp(event);
+  impl_->send(channel::kEvent, event);
 }
 
 BusOptions bus_options(const Arguments& arguments) {

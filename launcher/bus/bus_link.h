@@ -38,18 +38,10 @@ class BusLink {
   const std::string& url() const { return url_; }
   std::int64_t sender_id() const { return sender_id_; }
 
-  // Each fills in utime, sender_id and, where it is 0, the next sequence.  Throws std::runtime_error if the datagram
+  // A request: fills in utime, sender_id and, where it is 0, the next sequence.  Throws std::runtime_error if the datagram
   // cannot be sent.
-  void send(SourceRequest& request);
-  void send(ControllerRequest& request);
-  void send(ModeRequest& request);
-  void send(StopRequest& request);
-  void send(WalkCommand& command);
-  void send(StepList& list);
-  void send(MotionPiece& piece);
-  void send(SimRequest& request);
-  void send(ArmGoal& goal);
-  void send(Gamepad& pad);
+  template <class T>
+  void send(T& request);
   // Sends it every so many seconds until answered() holds.  False when it does not in time.
   template <class Request, class Answered>
   bool ask(Request& request, double every, double timeout, const Answered& answered) {
@@ -73,8 +65,6 @@ class BusLink {
   struct Impl;
   template <class T>
   void stamp(T& message);
-  template <class T>
-  void send_stamped(const char* channel, T& message);
 
   StackMonitor seen_;
   std::string url_;

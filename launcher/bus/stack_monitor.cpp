@@ -44,13 +44,18 @@ auto* slot(Map& map, std::int64_t id) {
 
 }  // namespace
 
-void StackMonitor::on_state(const RobotState& state, bool own_channel, std::int64_t now_ns) {
+void StackMonitor::keep(const RobotState& state, bool on_state, std::int64_t now_ns) {
   if (auto* source = slot(sources_, state.run_id)) {
     source->states.add(state.tick, now_ns);
-    source->on_state = !own_channel;
+    source->on_state = on_state;
     source->state = state;
   }
-  if (own_channel) return;
+}
+
+void StackMonitor::on_standby_state(const RobotState& state, std::int64_t now_ns) { keep(state, false, now_ns); }
+
+void StackMonitor::on_state(const RobotState& state, std::int64_t now_ns) {
+  keep(state, true, now_ns);
   state_.add(state.tick, now_ns);
   newest_state_ = state;
 }

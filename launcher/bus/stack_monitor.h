@@ -52,8 +52,8 @@ struct RunFigures {
 
 class StackMonitor {
  public:
-  // own_channel: it came on STATE_SIM, STATE_BRIDGE or STATE_REPLAY, not on STATE.
-  void on_state(const RobotState& state, bool own_channel, std::int64_t now_ns);
+  void on_state(const RobotState& state, std::int64_t now_ns);          // on STATE
+  void on_standby_state(const RobotState& state, std::int64_t now_ns);  // on STATE_SIM, STATE_BRIDGE or STATE_REPLAY
   void on_command(const JointCommand& command, std::int64_t now_ns);
   void on_source_status(const SourceStatus& status, std::int64_t now_ns);
   void on_heartbeat(const Heartbeat& beat, std::int64_t now_ns);
@@ -86,6 +86,7 @@ class StackMonitor {
   void restart_counts();
 
  private:
+  void keep(const RobotState& state, bool on_state, std::int64_t now_ns);
   void count_doubts(const SimTruth& truth, bool active);
 
   std::map<std::int64_t, SeenSource> sources_;

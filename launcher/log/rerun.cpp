@@ -167,12 +167,6 @@ void give(const std::vector<std::uint8_t>& bytes, Owner& owner, std::int64_t now
   if (decode(bytes, message) == Status::kOk) hand_over<kMethod>(message, owner, now_ns);
 }
 
-// To that of the methods which hears what is so called.
-template <auto... kMethods, class Owner>
-void give_one(JournalInput kind, const std::vector<std::uint8_t>& bytes, Owner& owner, std::int64_t now_ns) {
-  ((journal_input(MessageOf<kMethods>{}) == kind ? give<kMethods>(bytes, owner, now_ns) : void()), ...);
-}
-
 }  // namespace
 
 void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
@@ -196,13 +190,13 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
     if (kind == JournalInput::kCommand) give<&GuardWatch::on_command>(bytes, *process.watch, now);
     return;
   }
-  give_one<&ControlLoop::on_mode_request, &ControlLoop::on_walk_command, &ControlLoop::on_step_list, &ControlLoop::on_motion,
-           &ControlLoop::on_gamepad, &ControlLoop::on_arm_path, &ControlLoop::on_arm_goal, &ControlLoop::on_stop,
-           &ControlLoop::on_guard>(kind, bytes, *process.loop, now);
+  for_each_control_input([&]<auto kOn>() {
+    if (journal_input(MessageOf<kOn>{}) == kind) give<kOn>(bytes, *process.loop, now);
+  });
 }
 
 void Rerun::step(Process& process, const JournalPage& page) {
-  const std::vector<std::uint8_t> bytes = input(process, channel::kState, page.state_hash, page);
+  const std::vector<std::uint8_t> bytes = input(process, channel::kState.name, page.state_hash, page);
   RobotState state;
   if (bytes.empty() || decode(bytes, state) != Status::kOk) {
     process.figures.whole = false;  // from here on nothing can be the same
@@ -212,7 +206,7 @@ void Rerun::step(Process& process, const JournalPage& page) {
   const std::int64_t different = process.figures.different;
   if (process.watch != nullptr) {
     ++process.figures.answers;
-    compare(process, page, channel::kGuard, page.answer_hash, encoded(process.watch->judge(state)));
+    compare(process, page, channel::kGuard.name, page.answer_hash, encoded(process.watch->judge(state)));
   } else {
     ControlLoop& loop = *process.loop;
     loop.on_state(state, page.now_ns);
@@ -228,8 +222,8 @@ void Rerun::step(Process& process, const JournalPage& page) {
           answered ? "answers now, but did not then" : "does not answer now, but did then");
     } else if (answered) {
       ++process.figures.answers;
-      compare(process, page, channel::kCommand, page.answer_hash, encoded(command));
-      compare(process, page, channel::kControllerStatus, page.report_hash, encoded(loop.status()));
+      compare(process, page, channel::kCommand.name, page.answer_hash, encoded(command));
+      compare(process, page, channel::kControllerStatus.name, page.report_hash, encoded(loop.status()));
     }
   }
   if (process.figures.different > different) process.figures.different = different + 1;

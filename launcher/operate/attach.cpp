@@ -14,7 +14,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/messages.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "robot/description/load.h"
 
 namespace twinbus {
@@ -75,8 +75,8 @@ void put_shape(const Arguments& arguments, ObstaclesPiece& piece) {
 class Teller {
  public:
   Teller(const Model& model, const BusOptions& options, std::int16_t hand) : model_(model), bus_(options), hand_(hand) {
-    bus_.listen_each<&Teller::hear_state>(channel::kState, *this);
-    bus_.listen_each<&Teller::hear_held>(channel::kHeld, *this);
+    bus_.listen<&Teller::hear_state>(channel::kState, *this);
+    bus_.listen<&Teller::hear_held>(channel::kHeld, *this);
   }
 
   // Until a robot is heard.  Throws std::runtime_error when there is none, or it is another.

@@ -29,7 +29,7 @@
 #include "lcmtypes/msg/plan_refusal.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "robot/collision/thing_name.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
 #include "robot/hand/tools.h"
@@ -49,13 +49,13 @@ class Watcher {
  public:
   Watcher(const Model& model, const BusOptions& options)
       : model_(model), bus_(options), estimator_(model) {
-    bus_.listen_each<&Watcher::hear_state>(channel::kState, *this);
-    bus_.listen_each<&Watcher::hear_path>(channel::kArmPath, *this);
-    bus_.listen_each<&Watcher::hear_controller>(channel::kControllerStatus, *this);
-    bus_.listen_each<&Watcher::hear_source>(channel::kSourceStatus, *this);
-    bus_.listen_each<&Watcher::hear_truth>(channel::kTruth, *this);
-    bus_.listen_each<&Watcher::hear_event>(channel::kEvent, *this);
-    bus_.listen_each<&Watcher::hear_estimate>(channel::kEstimate, *this);
+    bus_.listen<&Watcher::hear_state>(channel::kState, *this);
+    bus_.listen<&Watcher::hear_path>(channel::kArmPath, *this);
+    bus_.listen<&Watcher::hear_controller>(channel::kControllerStatus, *this);
+    bus_.listen<&Watcher::hear_source>(channel::kSourceStatus, *this);
+    bus_.listen<&Watcher::hear_truth>(channel::kTruth, *this);
+    bus_.listen<&Watcher::hear_event>(channel::kEvent, *this);
+    bus_.listen<&Watcher::hear_estimate>(channel::kEstimate, *this);
   }
 
   void receive(double seconds) {

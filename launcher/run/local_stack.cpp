@@ -10,12 +10,13 @@
 #include "common/text/formatted.h"
 #include "common/time/part_clock.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/handler.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/refusal_text.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
 #include "robot/collision/thing_name.h"
-#include "robot/description/hand_of.h"
+#include "robot/description/model.h"
 #include "lcmtypes/msg/status.h"
 #include "sim/scene/obstacle_pieces.h"
 #include "sim/scene/scene_requests.h"
@@ -31,13 +32,6 @@ constexpr int kArmHeld = 3;  // arm_state: by the guard
 constexpr std::int64_t kStopEvery = 10;  // a stop the guard asks for is said that often [ticks]
 constexpr std::size_t kMostCaughtUp = 8;  // states answered late in a row
 constexpr int kActivationTicks = 100'000;
-
-const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
-const char* channel_of(const WalkCommand&) { return channel::kWalk; }
-const char* channel_of(const StepList&) { return channel::kSteps; }
-const char* channel_of(const MotionPiece&) { return channel::kMotion; }
-const char* channel_of(const Gamepad&) { return channel::kGamepad; }
-const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 
 // The adaptor must be open before a source is built around it.
 SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& config) {
@@ -65,7 +59,7 @@ std::int64_t now_or_one(std::int64_t now_ns) { return now_ns > 0 ? now_ns : 1; }
 
 // A message as its receiver gets it.  False: what could not be sent.
 template <class T>
-bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash,
+bool OneProcess::over_the_bus(const Channel<T>& channel, const T& sent, T& received, StateHash* hash,
                               std::int64_t* content) {
   const PartScope part("messages");
   std::array<std::uint8_t, kLargestMessage> bytes;
@@ -156,7 +150,7 @@ void OneProcess::say_held(const ObstaclesPiece& piece) {
 
 // Into the log, for whoever looks at it; nobody here obeys it.
 template <class T>
-void OneProcess::show(const char* channel, T message) {
+void OneProcess::show(const Channel<T>& channel, T message) {
   message.utime = now_ns_ / 1000;
   std::array<std::uint8_t, kLargestMessage> bytes;
   const int size = encode(message, bytes);
@@ -320,59 +314,36 @@ void OneProcess::answer(const RobotState& state) {
   }
 }
 
-void OneProcess::say(ModeRequest request) {
-  request.sender_id = kOperatorId;
-  request.run_id = kRunId;
+// To whoever obeys it.
+template <class T>
+void OneProcess::deliver(const T& received) {
+  if constexpr (std::is_same_v<T, StopRequest>) source_.on_stop(received, now_ns_);
+  for_each_control_input([&]<auto kOn>() {
+    if constexpr (std::is_same_v<MessageOf<kOn>, T>) hand_over<kOn>(received, *loop_, now_ns_);
+  });
+  if constexpr (std::is_same_v<T, ArmGoal>) plan(received);
+}
+
+template <class T>
+void OneProcess::say(T request) {
+  if constexpr (std::is_same_v<T, StopRequest>) {
+    if (request.sender_id == 0) request.sender_id = kOperatorId;
+  } else {
+    request.sender_id = kOperatorId;
+    request.run_id = kRunId;
+  }
   request.sequence = ++sequence_;
-  ModeRequest received;
-  if (over_the_bus(channel::kModeRequest, request, received)) loop_->on_mode_request(received);
+  if (T received; over_the_bus(channel_of(request), request, received)) deliver(received);
 }
-
-void OneProcess::say(WalkCommand command) {
-  command.sender_id = kOperatorId;
-  command.run_id = kRunId;
-  command.sequence = ++sequence_;
-  WalkCommand received;
-  if (over_the_bus(channel::kWalk, command, received)) loop_->on_walk_command(received, now_ns_);
-}
-
-void OneProcess::say(StopRequest stop) {
-  stop.sender_id = stop.sender_id != 0 ? stop.sender_id : kOperatorId;
-  stop.sequence = ++sequence_;
-  StopRequest received;
-  if (!over_the_bus(channel::kStop, stop, received)) return;
-  source_.on_stop(received, now_ns_);
-  loop_->on_stop(received);
-}
-
-void OneProcess::say(ArmGoal goal) {
-  goal.sender_id = kOperatorId;
-  goal.run_id = kRunId;
-  goal.sequence = ++sequence_;
-  ArmGoal received;
-  if (!over_the_bus(channel::kArmGoal, goal, received)) return;
-  loop_->on_arm_goal(received);
-  plan(received);
-}
+template void OneProcess::say(ModeRequest);
+template void OneProcess::say(WalkCommand);
+template void OneProcess::say(StopRequest);
+template void OneProcess::say(ArmGoal);
 
 void OneProcess::say_script() {
   script_.after(heard_.tick, first_tick_, [this](auto& request) {
     auto received = request;
-    if (!over_the_bus(channel_of(request), request, received)) return;
-    if constexpr (std::is_same_v<decltype(received), ModeRequest>) {
-      loop_->on_mode_request(received);
-    } else if constexpr (std::is_same_v<decltype(received), WalkCommand>) {
-      loop_->on_walk_command(received, now_ns_);
-    } else if constexpr (std::is_same_v<decltype(received), StepList>) {
-      loop_->on_step_list(received);
-    } else if constexpr (std::is_same_v<decltype(received), MotionPiece>) {
-      loop_->on_motion(received);
-    } else if constexpr (std::is_same_v<decltype(received), Gamepad>) {
-      loop_->on_gamepad(received, now_ns_);
-    } else {
-      loop_->on_arm_goal(received);
-      plan(received);
-    }
+    if (over_the_bus(channel_of(request), request, received)) deliver(received);
   });
 }
 
@@ -423,7 +394,7 @@ void OneProcess::watch() {
   SimTruth truth = *sim_.truth();
   truth.tick = heard_.tick;
   truth.run_id = kRunId;
-  seen_.on_state(heard_, false, now_ns_);
+  seen_.on_state(heard_, now_ns_);
   seen_.on_command(command_, now_ns_);
   if (SimTruth received; listener_) (void)over_the_bus(channel::kTruth, truth, received);
   if (listener_) show_scene();

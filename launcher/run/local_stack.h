@@ -28,6 +28,7 @@
 #include "launcher/figures/walk_figures.h"
 #include "planner/arm_planner.h"
 #include "robot/estimation/estimator.h"
+#include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/journal.h"
 #include "robot/description/model.h"
 #include "robot/collision/obstacle_collector.h"
@@ -67,17 +68,15 @@ class OneProcess {
   // not finite is not obeyed.
   JointCommand& own_command() { return own_command_; }
 
-  // Said on the bus before the next tick.
-  void say(ModeRequest request);
-  void say(StopRequest stop);
-  void say(WalkCommand command);
+  // Said on the bus before the next tick: a ModeRequest, WalkCommand, StopRequest or ArmGoal, which the planner answers at once
+  // (arm_answer()).
+  template <class T>
+  void say(T request);
   void say_held(const ObstaclesPiece& piece);  // on HELD, at once
   // A force on a link for a while from now on; force: world [N], point: in the frame of the link [m].
   Status push(int link, const Eigen::Vector3d& force, const Eigen::Vector3d& point, double seconds) {
     return sim_.push(link, force, point, seconds);
   }
-  // The planner answers at once: see arm_answer().
-  void say(ArmGoal goal);
   // What went out on ARM_PATH for the last goal.
   const std::vector<ArmPathPiece>& arm_answer() const { return arm_answer_; }
 
@@ -128,7 +127,7 @@ class OneProcess {
  private:
   static std::vector<SimAdaptor*> sims_of(const std::vector<OneProcess*>& runs);
   template <class T>
-  bool over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash = nullptr,
+  bool over_the_bus(const Channel<T>& channel, const T& sent, T& received, StateHash* hash = nullptr,
                     std::int64_t* content = nullptr);
   struct SendPage {
     OneProcess* o;
@@ -139,7 +138,9 @@ class OneProcess {
   void take_obstacles();
   void tell_held();
   template <class T>
-  void show(const char* channel, T message);
+  void show(const Channel<T>& channel, T message);
+  template <class T>
+  void deliver(const T& received);
   void show_scene();
   void control();
   void obey();

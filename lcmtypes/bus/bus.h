@@ -23,6 +23,7 @@
 
 #include "common/process/options.h"
 #include "lcmtypes/bus/channel_health.h"
+#include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/handler.h"
 #include "lcmtypes/bus/inbox.h"
 #include "lcmtypes/bus/wire.h"
@@ -53,24 +54,24 @@ class Bus {
 
   // The newest admitted message.
   template <class T>
-  void listen(const char* channel, Latest<T>& latest) {
+  void listen(const Channel<T>& channel, Latest<T>& latest) {
     subscribe(channel, kQueue, &latest, &on_latest<T>);
   }
   // The newest admitted message of each sender.
   template <class T, int N>
-  void listen(const char* channel, Slots<T, N>& slots) {
+  void listen(const Channel<T>& channel, Slots<T, N>& slots) {
     subscribe(channel, kLongQueue, &slots, &on_slots<T, N>);
   }
-  // Every message, in order: handler(const T&) or handler(const T&, std::span<const std::uint8_t> bytes),
-  // called inside receive().
+  // Every message, in order: handler(const T&), with std::span<const std::uint8_t> bytes or std::int64_t now_ns (the steady
+  // clock when it came) where it takes one, called inside receive().
   template <class T, class Handler>
-  void listen_each(const char* channel, Handler& handler) {
+  void listen(const Channel<T>& channel, Handler& handler) {
     subscribe(channel, kLongQueue, const_cast<std::remove_const_t<Handler>*>(&handler),
               &on_each<T, CallItself{}, Handler>);
   }
-  // The same to a method: listen_each<&Guard::hear_state>(channel::kState, *this).
+  // The same to a method: listen<&Guard::hear_state>(channel::kState, *this).
   template <auto kMethod, class Owner>
-  void listen_each(const char* channel, Owner& owner) {
+  void listen(const Channel<MessageOf<kMethod>>& channel, Owner& owner) {
     subscribe(channel, kLongQueue, &owner, &on_each<MessageOf<kMethod>, kMethod, Owner>);
   }
   // For tools: everything on channels that match a regular expression, with the prefix taken off
@@ -89,7 +90,7 @@ class Bus {
 
   // False if the message is not fit to send or could not be sent.
   template <class T>
-  [[nodiscard]] bool send(const char* channel, const T& value) noexcept {
+  [[nodiscard]] bool send(const Channel<T>& channel, const T& value) noexcept {
     std::array<std::uint8_t, kLargestMessage> bytes;
     const int size = encode(value, bytes);
     return send_raw(channel, std::span(bytes.data(), static_cast<std::size_t>(size)));
@@ -174,6 +175,8 @@ class Bus {
     auto& called = *static_cast<Target*>(target);
     if constexpr (std::is_invocable_v<decltype(kCall), Target&, const T&, decltype(in.bytes)>) {
       std::invoke(kCall, called, value, in.bytes);
+    } else if constexpr (std::is_invocable_v<decltype(kCall), Target&, const T&, std::int64_t>) {
+      std::invoke(kCall, called, value, in.now_ns);
     } else {
       std::invoke(kCall, called, value);
     }

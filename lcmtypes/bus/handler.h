@@ -1,4 +1,4 @@
-// What Bus::listen_each calls with each message: an object that can be called, or a method of one.
+// What Bus::listen calls with each message: an object that can be called, or a method of one.
 
 #pragma once
 

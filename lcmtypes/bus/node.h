@@ -41,7 +41,7 @@ class Node {
 
   // The bus counts what could not be sent, the heartbeat says it.
   template <class T>
-  void send(const char* channel, const T& message) noexcept {
+  void send(const Channel<T>& channel, const T& message) noexcept {
     static_cast<void>(bus_.send(channel, message));
   }
 

@@ -24,11 +24,11 @@ struct Outgoing {
   }
   static constexpr int kRepeats = 5;  // same sequence
   // Once per cycle of who sends.
-  void send(Bus& bus, const char* channel) {
+  void send(Bus& bus) {
     if (left == 0) return;
     --left;
     message.utime = wall_us();
-    if (!bus.send(channel, message)) ++left;  // no room now: once more with the next cycle
+    if (!bus.send(channel_of(message), message)) ++left;  // no room now: once more with the next cycle
   }
 };
 

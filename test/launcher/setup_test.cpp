@@ -84,7 +84,7 @@ StackMonitor simulator_seen() {
   RobotState state{};
   state.source = SourceKind::kSimulator;
   StackMonitor seen;
-  seen.on_state(state, false, 1);
+  seen.on_state(state, 1);
   return seen;
 }
 

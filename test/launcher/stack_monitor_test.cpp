@@ -102,12 +102,12 @@ TEST(StackMonitor, DoubtedStepsAreCountedOnceAndOverSeveralWorlds) {
   RobotState state;  // of 7, which is the active one: 8 stands by
   state.run_id = 7;
   state.tick = 1;
-  seen.on_state(state, false, 1);
+  seen.on_state(state, 1);
   tell(8, 0.010, 40, 0);
   EXPECT_EQ(seen.figures().doubted_steps, 10);
   state.run_id = 8;
   state.tick = 2;
-  seen.on_state(state, false, 2);
+  seen.on_state(state, 2);
   tell(8, 0.012, 41, 0);
   EXPECT_EQ(seen.figures().doubted_steps, 11);
 }

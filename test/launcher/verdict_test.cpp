@@ -23,7 +23,7 @@ struct FakeRun {
     JointCommand command;
     for (int tick = 0; tick < kTicks; ++tick) {
       state.tick = command.tick = tick;
-      seen.on_state(state, false, tick * kPeriod);
+      seen.on_state(state, tick * kPeriod);
       if (tick % every == 0) seen.on_command(command, tick * kPeriod);
     }
     SourceStatus status;

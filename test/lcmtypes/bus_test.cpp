@@ -45,7 +45,7 @@ TEST(Bus, EveryStopOfABatchIsHandledInOrder) {
   Bus bus(memory());
   std::vector<StopKind> kinds;
   const auto handler = [&](const StopRequest& stop) { kinds.push_back(stop.kind); };
-  bus.listen_each<StopRequest>(channel::kStop, handler);
+  bus.listen(channel::kStop, handler);
   StopRequest stop = sample<StopRequest>();
   for (const StopKind kind : {StopKind::kHold, StopKind::kNone, StopKind::kOff}) {
     stop.kind = kind;
@@ -62,9 +62,9 @@ TEST(Bus, TheHeartbeatTellsHowEachChannelDoes) {
   Latest<RobotState> latest;
   bus.listen(channel::kState, latest);
   const auto handler = [](const RobotState&) {};
-  bus.listen_each<RobotState>(channel::kStateSim, handler);
+  bus.listen(channel::kStateSim, handler);
   const std::array<std::uint8_t, 5> rubbish{};
-  for (const char* name : {channel::kState, channel::kStateSim}) {
+  for (const Channel<RobotState>& name : {channel::kState, channel::kStateSim}) {
     for (std::int64_t tick : {1, 2, 2, 6}) ASSERT_TRUE(bus.send(name, state_at(tick)));
     ASSERT_TRUE(bus.send_raw(name, rubbish));
   }
@@ -108,7 +108,7 @@ TEST(Bus, DamagedMessagesAreCountedAndNeverReplaceAGoodOne) {
   }
   bytes[0] ^= 0xff;
   ASSERT_TRUE(bus.send_raw(channel::kState, bytes));
-  ASSERT_TRUE(bus.send(channel::kState, sample<StopRequest>()));  // another type on this channel
+  ASSERT_TRUE(bus.send(Channel<StopRequest>{channel::kState}, sample<StopRequest>()));  // another type on this channel
   bus.receive(0);
   EXPECT_EQ(latest.message.tick, 1);
   EXPECT_EQ(latest.rejected, 5);
@@ -175,7 +175,7 @@ TEST(Bus, SendingAndReceivingAllocateNothing) {
   bus.listen(channel::kState, state);
   bus.listen(channel::kCommand, command);
   bus.listen(channel::kHeartbeat, heartbeats);
-  bus.listen_each<StopRequest>(channel::kStop, on_stop);
+  bus.listen(channel::kStop, on_stop);
   const RobotState some_state = sample<RobotState>();
   // Handling memq messages frees and makes LCM's own list nodes, so what is counted is ours:
   // encode, decode, judge.

@@ -12,6 +12,5 @@ def channels(root):
     """{channel: (type, encoded size)} of the channels that processes of twinbus speak of."""
     types = {struct.strip(): (said.name, 8 + sum(lcm_types.KINDS[field.kind][2] * field.count for field in said.fields))
              for said in lcm_types.read_folder(root / "lcmtypes") for struct in said.rule.split(",")}
-    names = dict(re.findall(r'(k\w+)\[\] = "(\w+)"', (root / "lcmtypes/bus/channels.h").read_text()))
-    rows = re.findall(r"row<(\w+)>\(channel::(k\w+)\)", (root / "lcmtypes/bus/wire.cpp").read_text())
-    return {names[constant]: types[struct] for struct, constant in rows}
+    typed = re.findall(r'Channel<(\w+)> k\w+\{"(\w+)"\}', (root / "lcmtypes/bus/channels.h").read_text())
+    return {name: types[struct] for struct, name in typed}

@@ -76,7 +76,7 @@ int main(int argc, char** argv) try {
   bus.listen(channel::kState, state);
   bus.listen(channel::kCommand, command);
   bus.listen(channel::kHeartbeat, heartbeats);
-  bus.listen_each<StopRequest>(channel::kStop, on_stop);
+  bus.listen(channel::kStop, on_stop);
   std::printf("ready\n");
   std::fflush(stdout);
 

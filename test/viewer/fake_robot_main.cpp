@@ -57,12 +57,12 @@ class FakeStack {
                           WrenchKind::kAbsent};
     state_.stop_nonce = 77;
     pose_ = model.find_pose("half_sitting");
-    bus_.listen_each<&FakeStack::hear_stop>(channel::kStop, *this);
-    bus_.listen_each<&FakeStack::hear_mode>(channel::kModeRequest, *this);
-    bus_.listen_each<&FakeStack::hear_source>(channel::kSourceRequest, *this);
-    bus_.listen_each<&FakeStack::hear_gamepad>(channel::kGamepad, *this);
-    bus_.listen_each<&FakeStack::hear_walk>(channel::kWalk, *this);
-    bus_.listen_each<&FakeStack::hear_goal>(channel::kArmGoal, *this);
+    bus_.listen<&FakeStack::hear_stop>(channel::kStop, *this);
+    bus_.listen<&FakeStack::hear_mode>(channel::kModeRequest, *this);
+    bus_.listen<&FakeStack::hear_source>(channel::kSourceRequest, *this);
+    bus_.listen<&FakeStack::hear_gamepad>(channel::kGamepad, *this);
+    bus_.listen<&FakeStack::hear_walk>(channel::kWalk, *this);
+    bus_.listen<&FakeStack::hear_goal>(channel::kArmGoal, *this);
   }
 
   void tick() {

@@ -25,7 +25,7 @@ class JogOverTheBus : public ::testing::Test {
         requests_(7),
         teleop_(7, true) {
     arm_.listen(bus_);
-    bus_.listen_each<&JogOverTheBus::hear>(channel::kModeRequest, *this);
+    bus_.listen<&JogOverTheBus::hear>(channel::kModeRequest, *this);
     state_.run_id = 42;
     state_.model_hash = model_.hash;
     state_.joint_count = static_cast<std::int16_t>(model_.bus_count());

@@ -86,7 +86,7 @@ class MessageFeed : public LogFeed {
 
   // What the view is told of besides STATE, COMMAND and GUARD.
   struct Row {
-    std::string_view channel;
+    const char* channel;
     void (*pass)(const LogEvent& event, StackView& view, std::int64_t now);
   };
   static constexpr Row kRows[] = {

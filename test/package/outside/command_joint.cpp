@@ -17,6 +17,6 @@ int main() {
     command.q[joint] = begin.q[joint] + 0.1 * (1 - std::cos(1.6e-9 * (state.time_ns - begin.time_ns)));
     if (!bus.send(channel::kCommand, command)) std::abort();
   };
-  bus.listen_each<RobotState>(channel::kState, answer);
+  bus.listen(channel::kState, answer);
   while (bus.receive(1.0) >= 0) {}
 }

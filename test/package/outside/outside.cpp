@@ -16,7 +16,7 @@ int main() try {
   const twinbus::Scene scene = twinbus::load_scene("stand");
   const twinbus::ArmPlanner planner(model);
   const twinbus::robot_state_t message{};
-  std::printf("%.1f kg, scene of %.0f s, %s has %d bytes\n", kinematics.mass(), scene.duration, twinbus::channel::kState,
+  std::printf("%.1f kg, scene of %.0f s, %s has %d bytes\n", kinematics.mass(), scene.duration, twinbus::channel::kState.name,
               message.getEncodedSize());
   return 0;
 } catch (const std::exception& error) {
