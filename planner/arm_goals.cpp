@@ -10,6 +10,7 @@
 #include "planner/arm_question.h"
 #include "planner/search/edge_check.h"
 #include "planner/timing/motion_effort.h"
+#include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/inverse_kinematics.h"
 
 namespace twinbus {
@@ -20,6 +21,7 @@ constexpr double kInside = 0.01;       // goal postures stay this far inside the
 constexpr double kHandTolerance = 2e-4;  // of a goal posture [m]
 constexpr double kTurnTolerance = 2e-3;  // [rad]
 constexpr double kStubborn = 0.05;       // a miss that more tries may mend [m]
+constexpr double kAround = 1.0;          // a base on the plane goes around things so wide [m]
 constexpr double kNearby = 0.15;         // share of the way to a random posture
 constexpr int kPatience = 8;             // times as many
 constexpr int kIkTries = 4;              // of one start, the closed form among them
@@ -32,6 +34,22 @@ constexpr double kBarelyTurned = 0.02;  // [rad]
 constexpr double kTurnWeight = 0.1;     // of what a missed pose is off by [m/rad]
 
 }  // namespace
+
+void stay_near(const Model& model, const Configuration& start, const std::vector<int>& joints, const Hand& hand,
+               const Eigen::Vector3d& target, JointTurns& range) {
+  Kinematics kinematics(model);
+  kinematics.update(start);
+  const double far = arm_span(kinematics, hand).length + kAround;
+  for (std::size_t k = 0; k < joints.size() && k < model.plane_joints.size() && k < 2; ++k) {  // x, y
+    if (joints[k] != model.plane_joints[k]) return;
+    const double here = start.q[joints[k]], there = target[static_cast<Eigen::Index>(k)];
+    const auto column = static_cast<int>(k);
+    range.lower[column] = std::max(range.lower[column], std::min(here, there) - far);
+    range.upper[column] = std::min(range.upper[column], std::max(here, there) + far);
+    range.lower[column] = std::min(range.lower[column], here);
+    range.upper[column] = std::max(range.upper[column], here);
+  }
+}
 
 // Where the base is when the arm is at q: legs carry it so that the centre of mass rests.
 Eigen::Isometry3d ArmPlanner::leaned(const Question& question, const Eigen::VectorXd& q) const {
@@ -111,6 +129,9 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
     consider(q, leaned(question, there), question.goals);
   } else {
     InverseKinematics arm(*model_, question.base_link, question.hand->link, question.hand->frame);
+    for (const int j : arm.joints()) {  // between what moves
+      if (std::find(plan.joints.begin(), plan.joints.end(), j) == plan.joints.end()) arm.hold(j, question.start_posture->q[j]);
+    }
     IkOptions options;
     options.position_tolerance = kHandTolerance;
     options.rotation_tolerance = kTurnTolerance;
@@ -127,7 +148,12 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
       if (i > 0) {
         // Then also around the one that is least in the way.
         const bool climb = i > config_.ik_restarts && i % 2 == 0 && widest > -1e9;
+        const bool as_it_is = question.carriers > 0 && i % 2 == 1;  // the arm, moved by what carries it
         for (int k = 0; k < question.start.size(); ++k) {
+          if (as_it_is && k >= question.carriers) {
+            q[plan.joints[at(k)]] = question.start[k];
+            continue;
+          }
           const double dice = random.uniform(question.range.lower[k], question.range.upper[k]);
           const double there = climb ? widest_q[k] + kNearby * (dice - widest_q[k]) : dice;
           q[plan.joints[at(k)]] = there;
@@ -173,8 +199,15 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
     plan.miss = reached_any ? 0.0 : miss_there;
     return false;
   }
+  const auto takes = [&](const JointPoint& q) {  // the slowest joint, at full speed [s]
+    double longest = 0.0;
+    for (int k = 0; k < q.size(); ++k)
+      longest = std::max(longest, std::abs(q[k] - question.start[k]) / model_->joints[at(plan.joints[at(k)])].velocity);
+    return longest;
+  };
   std::stable_sort(question.goals.begin(), question.goals.end(),
                    [&](const JointPoint& a, const JointPoint& b) {
+                     if (question.carriers > 0) return takes(a) < takes(b);
                      return (a - question.start).squaredNorm() < (b - question.start).squaredNorm();
                    });
   return true;

@@ -37,10 +37,36 @@ constexpr int kLongPatience = 5;         // times as many rounds when no way was
 constexpr std::size_t kMostHeld = 8;     // things of which balls are kept
 
 bool is_arm_joint(const Model& model, int joint) {
-  for (const Hand& hand : model.hands) {
-    if (std::find(hand.joints.begin(), hand.joints.end(), joint) != hand.joints.end()) return true;
+  for (const Hand* hand : hands_of(model)) {
+    for (const auto* listed : {&hand->joints, &hand->carriers}) {
+      if (std::find(listed->begin(), listed->end(), joint) != listed->end()) return true;
+    }
   }
   return false;
+}
+
+// One after the other, what moves with an arm: nothing; what is no base on the plane, such as a lift; such a base, which is faster than
+// most lifts; all that carries it.
+std::vector<std::vector<int>> stages_of(const Model& model, const ArmGoal& goal) {
+  std::vector<std::vector<int>> stages{{}};
+  const Hand* hand = goal.kind == ArmGoalKind::kJoints ? nullptr : hand_of(model, number_of(goal.side));
+  if (hand == nullptr) return stages;
+  std::vector<int> above, plane;
+  for (const int j : hand->carriers) {
+    const bool of_plane = std::find(model.plane_joints.begin(), model.plane_joints.end(), j) != model.plane_joints.end();
+    (of_plane ? plane : above).push_back(j);
+  }
+  for (const std::vector<int>& carriers : {above, plane, hand->carriers}) {
+    const bool is_new = std::find(stages.begin(), stages.end(), carriers) == stages.end();
+    if (is_new && carriers.size() + hand->joints.size() <= at(kArmJoints)) stages.push_back(carriers);
+  }
+  return stages;
+}
+
+// Of a goal that another place of the arm's foot may answer.
+bool asks_for_more(const ArmPlan& plan) {
+  return plan.status == ArmPathStatus::kUnreachable || plan.status == ArmPathStatus::kGoalInCollision || plan.no_way() ||
+         plan.heavy != ArmPlan::Heavy::kNo;
 }
 
 bool is_same(const Obstacle& a, const Obstacle& b) {
@@ -76,9 +102,8 @@ ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
       looped_(joints_in_loops(model)) {}
 
 // Fills the question; false, with the reason in plan, if it makes no sense for this robot.
-bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
-                            const Eigen::Isometry3d& ground, Question& question,
-                            ArmPlan& plan) const {
+bool ArmPlanner::understand(const std::vector<int>& carriers, const ArmGoal& goal, const Configuration& start,
+                            const Eigen::Isometry3d& ground, Question& question, ArmPlan& plan) const {
   const auto refuse = [&](const char* complaint) {
     plan.status = ArmPathStatus::kBadGoal;
     plan.complaint = complaint;
@@ -97,11 +122,13 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     if (plan.joints.empty()) return refuse("joint_mask names no joint");
     if (plan.joints.size() > at(kArmJoints)) return refuse("more than 12 joints at once");
   } else if (goal.kind == ArmGoalKind::kPosition || goal.kind == ArmGoalKind::kPose) {
-    if (goal.side != ArmSide::kLeft && goal.side != ArmSide::kRight) return refuse("side must be left or right");
-    question.hand = hand_of(*model_, goal.side == ArmSide::kLeft ? 0 : 1);
+    if (goal.side == ArmSide::kNone) return refuse("side must be left or right, or say which of the other arms");
+    question.hand = hand_of(*model_, number_of(goal.side));
     if (question.hand == nullptr || question.hand->joints.empty()) return refuse("the robot has no such hand");
     if (question.hand->joints.size() > at(kArmJoints)) return refuse("the arm has more than 12 joints");
-    plan.joints = question.hand->joints;
+    plan.joints = carriers;
+    plan.joints.insert(plan.joints.end(), question.hand->joints.begin(), question.hand->joints.end());
+    question.carriers = static_cast<int>(carriers.size());
     question.base_link = model_->joints[at(plan.joints.front())].parent;
     Eigen::Isometry3d in_ground = Eigen::Isometry3d::Identity();
     in_ground.translation() = Eigen::Vector3d(goal.position[0], goal.position[1], goal.position[2]);
@@ -130,11 +157,14 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
 
   const auto parts = std::count_if(balls_.begin(), balls_.end(), [](const BallGroup& group) { return !group.balls.empty(); });
   if (parts > kBlockGroups) return refuse("the robot and what it holds have more parts than planning takes");
-  for (const Hand& hand : model_->hands) {  // that joint goals move
-    if (question.hand == nullptr && hand.link >= 0 && hand.joints == plan.joints) question.hand = &hand;
+  for (const Hand* hand : hands_of(*model_)) {  // that joint goals move
+    if (question.hand == nullptr && hand->joints == plan.joints) question.hand = hand;
   }
   question.start = pick(start.q, plan.joints);
   question.range = JointTurns(*model_, plan.joints, question.start);
+  if (question.carriers > 0) {
+    stay_near(*model_, start, plan.joints, *question.hand, question.target.translation(), question.range);
+  }
   return true;
 }
 
@@ -194,6 +224,19 @@ const BallGroup& ArmPlanner::balls_of(const Obstacle& held) {
 ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
                          const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
                          bool (*keep_on)(void*), void* user) {
+  const std::vector<std::vector<int>> stages = stages_of(*model_, goal);
+  ArmPlan plan;
+  std::int64_t checks = 0;
+  for (const std::vector<int>& carriers : stages) {
+    plan = plan_with(carriers, &carriers == &stages.back(), goal, start, ground_in_world, seed, keep_on, user);
+    plan.checks = checks += plan.checks;
+    if (!asks_for_more(plan)) break;
+  }
+  return plan;
+}
+
+ArmPlan ArmPlanner::plan_with(const std::vector<int>& carriers, bool patience, const ArmGoal& goal, const Configuration& start,
+                              const Eigen::Isometry3d& ground_in_world, std::uint64_t seed, bool (*keep_on)(void*), void* user) {
   ArmPlan plan;
   std::int64_t checks = 0;
   for (const double padding : {config_.padding, 0.5 * config_.padding, 0.0}) {
@@ -201,7 +244,7 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
     padded_ = obstacles_;
     for (Obstacle& obstacle : padded_) pad(obstacle, padding);
     collision_.set_obstacles(padded_);
-    Effort usual{.clearance = config_.clearance, .rounds = config_.rrt_rounds};
+    Effort usual{.carriers = carriers, .clearance = config_.clearance, .rounds = config_.rrt_rounds};
     plan = attempt(goal, start, ground_in_world, seed, usual, keep_on, user);
     plan.padding = padding;
     plan.checks = checks += plan.checks;
@@ -210,9 +253,11 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
     if (!in_the_way) break;
   }
   // Then with patience, and as near as a goal may be: first by proofs, which are quick, then by distances, which are exact.
-  Effort patient{.clearance = std::min(config_.clearance, config_.least_clearance), .rounds = kLongPatience * config_.rrt_rounds};
+  Effort patient{.carriers = carriers,
+                 .clearance = std::min(config_.clearance, config_.least_clearance),
+                 .rounds = kLongPatience * config_.rrt_rounds};
   const ArmPlan heavy = plan.heavy == ArmPlan::Heavy::kOnTheWay ? plan : ArmPlan{};
-  for (bool again = true; again && plan.no_way(); patient.exact = true) {
+  for (bool again = patience; again && plan.no_way(); patient.exact = true) {
     plan = attempt(goal, start, ground_in_world, seed, patient, keep_on, user);
     plan.checks = checks += plan.checks;
     again = !patient.exact;
@@ -232,7 +277,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
                             bool (*keep_on)(void*), void* user) {
   ArmPlan plan;
   Question question;
-  if (!understand(goal, start, ground_in_world, question, plan)) return plan;
+  if (!understand(spent.carriers, goal, start, ground_in_world, question, plan)) return plan;
   SplitMix64 random(seed);
   EdgeCheck space(*model_, collision_, start, plan.joints, spent.clearance);
 

@@ -1,7 +1,8 @@
 // From "the left hand there" to a timed motion of that arm that touches neither the robot nor an
 // obstacle.
 //
-// Legs, waist, the other arm and the base stay as in the start.  Nothing depends on the time or the
+// Legs, waist, the other arm and the base stay as in the start.  What carries the arm (Hand::carriers: a lift, a base on the plane)
+// moves only for a goal that the arm does not reach by itself: first the lift, then the base, then both.  Nothing depends on the time or the
 // machine: the same question with the same seed gives the same motion, bit for bit.
 
 #pragma once
@@ -85,15 +86,19 @@ class ArmPlanner {
  private:
   struct Question;
   struct Effort {
+    std::vector<int> carriers = {};  // that move with the arm
     double clearance = 0.0;  // [m]
     int rounds = 0;
     bool exact = false;  // exact distances decide the lines that are not proved; on return: they did
   };
+  // carriers: that move with the arm; patience: it is searched for long before there is said to be no way.
+  ArmPlan plan_with(const std::vector<int>& carriers, bool patience, const ArmGoal& goal, const Configuration& start,
+                    const Eigen::Isometry3d& ground_in_world, std::uint64_t seed, bool (*keep_on)(void*), void* user);
   ArmPlan attempt(const ArmGoal& goal, const Configuration& start,
                   const Eigen::Isometry3d& ground_in_world, std::uint64_t seed, Effort& spent,
                   bool (*keep_on)(void*), void* user);
-  bool understand(const ArmGoal& goal, const Configuration& start, const Eigen::Isometry3d& ground,
-                  Question& question, ArmPlan& plan) const;
+  bool understand(const std::vector<int>& carriers, const ArmGoal& goal, const Configuration& start,
+                  const Eigen::Isometry3d& ground, Question& question, ArmPlan& plan) const;
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
   bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
                   ArmPlan& plan);

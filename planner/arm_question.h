@@ -22,6 +22,7 @@ struct ArmPlanner::Question {
   Eigen::Matrix3d base_in_world = Eigen::Matrix3d::Identity();  // how base_link is turned
   JointPoint start;
   JointTurns range;  // of the joints
+  int carriers = 0;  // so many joints, the first ones, carry the arm
   JointPath goals;   // free postures that answer the goal
   JointPath nearly;  // and some that barely miss it
 };
@@ -32,6 +33,12 @@ inline JointPoint pick(const Eigen::VectorXd& q, const std::vector<int>& joints)
   for (int k = 0; k < point.size(); ++k) point[k] = q[joints[at(k)]];
   return point;
 }
+
+// A base on the plane goes no farther from the straight way to the goal than the arm is long, and as it takes to go around things: the
+// range of its x and y (arm_goals.cpp).
+// target: in the frame of the link that the first joint moves on [m].
+void stay_near(const Model& model, const Configuration& start, const std::vector<int>& joints, const Hand& hand,
+               const Eigen::Vector3d& target, JointTurns& range);
 
 inline std::string too_heavy(const Model& model, const MotionEffort& effort, const char* where) {
   return std::string(where) + " joint " + model.joints[at(effort.weak_joint())].name +

@@ -121,9 +121,12 @@ class PlannerProcess : RobotProcess {
     sends_left_ = kSends;
     send_pieces();
     char sentence[200];
-    const char* side = answer.goal.side == ArmSide::kRight ? "right hand" : "left hand";
+    const Hand* hand = hand_of(model_, number_of(answer.goal.side));
+    const std::string side = answer.goal.side == ArmSide::kRight  ? "right hand"
+                             : answer.goal.side == ArmSide::kLeft ? "left hand"
+                                                                  : (hand == nullptr ? "arm" : hand->name);
     std::snprintf(sentence, sizeof sentence, "%s: %s (planned in %.0f ms)",
-                  answer.goal.kind == ArmGoalKind::kJoints ? "arm joints" : side,
+                  answer.goal.kind == ArmGoalKind::kJoints ? "arm joints" : side.c_str(),
                   describe(answer.plan).c_str(), 1e3 * answer.seconds);
     const bool found = answer.plan.status == ArmPathStatus::kOk;
     tell(sentence, found ? 0 : 1, found ? std::int16_t{0} : kArmGoalRefused);

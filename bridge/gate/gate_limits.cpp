@@ -26,7 +26,7 @@ GateLimits::GateLimits(const Model& model) : robot(&model) {
   joint_count = model.bus_count();
   model_hash = model.hash;
   legs = bits_of(model, model.leg_joints);
-  for (const Hand& hand : model.hands) arms |= bits_of(model, hand.joints);
+  for (const Hand* hand : hands_of(model)) arms |= bits_of(model, hand->joints) | bits_of(model, hand->carriers);
   all = joint_count >= 63 ? ~std::int64_t{0} : bit(joint_count) - 1;
   period = model.period();
   period_ns = model.period_ns;

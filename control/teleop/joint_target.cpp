@@ -28,9 +28,9 @@ const char* why_not(Mode mode) {
 }  // namespace
 
 JointTarget::JointTarget(const Model& model) : model_(&model) {
-  for (const Hand& hand : model.hands) {
-    if (hand.link < 0 || hand.joints.empty()) continue;
-    const int k = model.bus_index[static_cast<std::size_t>(hand.joints.front())];
+  for (const Hand* hand : hands_of(model)) {
+    if (hand->joints.empty()) continue;
+    const int k = model.bus_index[static_cast<std::size_t>(hand->joints.front())];
     if (k < 0) continue;
     chosen_ = k;
     break;

@@ -165,11 +165,15 @@ void print_limbs(const Model& model) {
     }
     const Hand& hand = model.hands[at(side)];
     if (hand.link >= 0) {
-      std::printf("%s hand on %s: arm of %zu joints\n", name,
-                  model.links[at(hand.link)].name.c_str(), hand.joints.size());
+      std::string carriers;
+      for (const int j : hand.carriers) carriers += (carriers.empty() ? ", carried by " : ", ") + model.joints[at(j)].name;
+      std::printf("%s hand on %s: arm of %zu joints%s\n", name,
+                  model.links[at(hand.link)].name.c_str(), hand.joints.size(), carriers.c_str());
       print_gripper(model, model.grippers[at(side)], side);
     }
   }
+  for (const Hand& arm : model.more_hands)
+    std::printf("%s on %s: arm of %zu joints\n", arm.name.c_str(), model.links[at(arm.link)].name.c_str(), arm.joints.size());
   if (!model.yaml_text.empty() && stands_on_points(model)) {
     const StandingFeet feet(model);
     std::string names;
@@ -258,8 +262,9 @@ void print(const Trial& trial) {
       return;
     }
     if (trial.arm) {
-      print_typed(stdout, "an arm on a fixed base: arm_hold, arm_reach, arm_scan and arm_pick are its scenes; "
-                          "./twinbus up arm holds it for jog, reach and pose\n");
+      print_typed(stdout, "an arm on %s: arm_hold, arm_reach, arm_scan and arm_pick are its scenes; "
+                          "./twinbus up arm holds it for jog, reach and pose\n",
+                  trial.planar ? "a base that moves on the plane" : "a fixed base");
       return;
     }
     if (trial.stood) {
@@ -329,12 +334,12 @@ bool own_gains_stand(CheckSubject& subject, const Trial& trial, Proposal& propos
 }
 
 // What refuses a file is often what --mend puts right.
-CheckSubject subject_asked_for(const std::string& name, bool mends) try {
-  return load_subject(name, mends);
+CheckSubject subject_asked_for(const std::string& name, bool mends, const std::string& base) try {
+  return load_subject(name, mends, base);
 } catch (const std::runtime_error& error) {
   if (mends) throw;
   try {
-    (void)load_subject(name, true);
+    (void)load_subject(name, true, base);
   } catch (const std::runtime_error&) {
     throw error;
   }
@@ -359,9 +364,15 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
       whose ranges are no mirror images, left and right exchanged are put right in the copy; each change is said
   --propose FOLDER  writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into \
       FOLDER
+  --base KIND  of the proposal: floating, fixed, or planar: it moves on the plane as on omnidirectional wheels, carries its arms \
+      to what they do not reach, and is held, jogged and posed by the joints base_x, base_y, base_yaw; without it a robot with \
+      legs floats
   --spec SPEC.yaml  with --propose: rotors (armature) and friction of joints that the robot's files do not say are taken from \
       the specification of a policy, so that it walks on the robot of its training)"}, words);
-  CheckSubject subject = subject_asked_for(arguments.word(0), arguments.has("--mend"));
+  const std::string base = arguments.text("--base", "");
+  if (!base.empty() && base != "floating" && base != "fixed" && base != "planar")
+    throw UsageError("check: --base is floating, fixed or planar, not " + base);
+  CheckSubject subject = subject_asked_for(arguments.word(0), arguments.has("--mend"), base);
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
   if (arguments.has("--cells")) return check_cells(model);

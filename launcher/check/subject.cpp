@@ -95,7 +95,7 @@ void raise_base(CheckSubject& subject) {
 
 }  // namespace
 
-CheckSubject load_subject(const std::string& name, bool mends) {
+CheckSubject load_subject(const std::string& name, bool mends, const std::string& base) {
   CheckSubject subject;
   std::error_code error;
   if (fs::is_regular_file(name, error)) {
@@ -105,6 +105,7 @@ CheckSubject load_subject(const std::string& name, bool mends) {
     const std::string folder = robot_folder(name);
     if (fs::exists(folder + "/robot.yaml", error)) {
       if (mends) throw std::runtime_error(name + " has a robot.yaml: --mend is for a URDF file that nobody has described");
+      if (!base.empty()) throw std::runtime_error(name + " has a robot.yaml: write base: " + base + " there");
       subject.model = load_robot(name);
       return subject;
     }
@@ -120,6 +121,8 @@ CheckSubject load_subject(const std::string& name, bool mends) {
     source.floating = true;
     source.notes.push_back("the copy of the URDF is without " + left_out + ", which say no more than that the base moves freely");
   }
+  if (!base.empty()) source.floating = base == "floating";
+  source.planar = base == "planar";
   if (mends) subject.text = mend_urdf(subject.text, subject.urdf, subject.mended);
   repair(subject);
   if (mends) {

@@ -19,8 +19,8 @@ struct CheckSubject {
 };
 
 // name: a robot of config/robots, a folder, a .urdf, or an .xml of MuJoCo.  Throws std::runtime_error, one line.
-// mends: what is wrong in a URDF and has one likely right answer is put right.
-CheckSubject load_subject(const std::string& name, bool mends = false);
+// mends: what is wrong in a URDF and has one likely right answer is put right.  base: floating, fixed or planar, where the user says so.
+CheckSubject load_subject(const std::string& name, bool mends = false, const std::string& base = "");
 
 // The robot that the proposal makes, as `run` will load it.  What is wrong with it is said of the user's file.
 Model load_proposed(const Proposal& proposal, const CheckSubject& subject);

@@ -50,8 +50,8 @@ Trial try_to_stand(const Model& model) {
   if (const char* why = Balance::why_not(model); why != nullptr && why_no_point_feet(model) != nullptr)
     trial.cannot_balance = stands_on_points(model) ? why_no_point_feet(model) : why;
   trial.free = model.floating_base;
-  trial.arm = !model.floating_base &&
-              std::any_of(model.hands.begin(), model.hands.end(), [](const Hand& hand) { return hand.link >= 0; });
+  trial.planar = !model.plane_joints.empty();
+  trial.arm = !model.floating_base && hand_of(model, 0) != nullptr;
   try {
     for (const Engine engine : {Engine::kArticulated, Engine::kOde}) {
       WorldConfig world;

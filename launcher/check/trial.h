@@ -14,7 +14,8 @@ struct Trial {
   std::string cannot_balance;  // why it is no robot that balances; empty: it is one
   bool stood = false;          // by balance, or by its servos when it cannot balance
   bool free = false;           // its base is
-  bool arm = false;            // its base is fixed, and it has a hand
+  bool arm = false;            // its base does not float, and it has a hand
+  bool planar = false;         // its base moves on the plane
   double simulated_s = 0.0, wall_s = 0.0;
   std::string figures;                // one line
   std::vector<std::string> failures;  // of the criteria of scene `stand`

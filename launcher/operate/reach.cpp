@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -17,6 +18,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "common/text/closest_name.h"
 #include "common/text/printable.h"
 #include "launcher/operate/reach_goal.h"
 #include "launcher/operate/reach_progress.h"
@@ -75,7 +77,7 @@ class Watcher {
 
   // Position and distance of the hand from where it should be, in the ground frame.
   Eigen::Isometry3d hand_in_ground(ArmSide side) const {
-    const Hand& hand = model_.hands[side == ArmSide::kLeft ? 0 : 1];
+    const Hand& hand = *hand_of(model_, number_of(side));
     return estimator_.ground_in_world().inverse() *
            estimator_.kinematics().link_in_world(hand.link) * hand.frame;
   }
@@ -171,13 +173,22 @@ struct Wish {
   std::optional<Eigen::Isometry3d> in_ground;  // of the tool, once the frame was seen; ever anew where it stands still
 };
 
+const Hand* hand_called(const Model& model, const std::string& name) {
+  const auto is_it = [&](const Hand& hand) { return hand.name == name; };
+  const auto found = std::find_if(model.more_hands.begin(), model.more_hands.end(), is_it);
+  if (found != model.more_hands.end()) return &*found;
+  if (name != "left" && name != "right") {
+    throw UsageError("reach: which hand? say left or right" + (model.more_hands.empty() ? std::string() : ", or the name of an arm") +
+                     ", not " + name + suggestion(name, model.more_hands));
+  }
+  const Hand* hand = hand_of(model, name == "left" ? 0 : 1);
+  if (hand == nullptr) throw std::runtime_error(model.name + " has no " + name + " hand (robot.yaml, hands)");
+  return hand;
+}
+
 Wish wish_from(const Arguments& arguments, const Model& model, ArmGoal& goal) {
-  const std::string side = arguments.word(0);
-  if (side != "left" && side != "right")
-    throw UsageError("reach: which hand? say left or right, not " + side);
-  const Hand* hand = hand_of(model, side == "left" ? 0 : 1);
-  if (hand == nullptr) throw std::runtime_error(model.name + " has no " + side + " hand (robot.yaml, hands)");
-  goal.side = hand == &model.hands[0] ? ArmSide::kLeft : ArmSide::kRight;
+  const Hand* hand = hand_called(model, arguments.word(0));
+  goal.side = static_cast<ArmSide>(number_of(model, *hand) + 1);
   const std::size_t count = arguments.words().size();
   if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");
   Wish wish;
@@ -316,8 +327,9 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
 }  // namespace
 
 int reach_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"reach", 1, 7, R"(left|right X Y Z [R P Y]
-Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z [m], R P Y [rad] of the hand in the \
+  const Arguments arguments({"reach", 1, 7, R"(left|right|ARM X Y Z [R P Y]
+Plans a motion of one arm around obstacles and the robot's own body and follows it; ARM: as robot.yaml calls another arm.  \
+X Y Z [m], R P Y [rad] of the hand in the \
 ground frame: midway between the feet, x forward, z up.
   --frame NAME  of the goal: ground, base (link), world (where the robot first stood, as ESTIMATE tells), or a link of the URDF \
       as it is when this is asked; default ground

@@ -32,7 +32,7 @@ std::optional<Eigen::Isometry3d> frame_in_ground(const ReachFrame& frame, const 
     case Kind::kGround:
       break;
     case Kind::kBase:
-      return link(0);
+      return link(model.plane_joints.empty() ? 0 : model.plane_joints.back() + 1);
     case Kind::kWorld:
       if (!base_in_world) return {};
       return link(0) * base_in_world->inverse();

@@ -107,7 +107,7 @@ std::string why_not_for(const Scene& scene, const Model& model) {
   }
   for (const TimedGoal& timed : scene.goals) {
     const bool left = timed.request.side == ArmSide::kLeft;
-    if (model.hands[left ? 0 : 1].link < 0)
+    if (hand_of(model, number_of(timed.request.side)) == nullptr)
       return std::string("it reaches with the ") + (left ? "left" : "right") +
              " hand, and robot.yaml names none (hands)";
   }

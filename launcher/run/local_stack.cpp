@@ -414,7 +414,7 @@ void OneProcess::watch() {
   const Estimator& view = planner_view_;
   goals_.add(static_cast<double>(heard_.tick - first_tick_) * model_.period(), loop_->status(), view.configuration(),
              [&](ArmSide side) -> Eigen::Vector3d {
-               const Hand* hand = hand_of(model_, side == ArmSide::kLeft ? 0 : 1);
+               const Hand* hand = hand_of(model_, number_of(side));
                return view.ground_in_world().inverse() * view.kinematics().link_in_world(hand->link) * hand->frame.translation();
              });
   for (std::size_t foot = 0; foot < 2; ++foot) {

@@ -96,6 +96,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
     for (int first = 0; first < count; first += 8) {
       for (unsigned m = boxes_that_meet(scene, first, low, high); m != 0; m &= m - 1) {
         const int o = first + __builtin_ctz(m);
+        if (kept_of_shape(robot, g, o) < 0.0F) continue;
         const BlockShape& shape = scene.shapes[static_cast<std::size_t>(o)];
         if (!any(meets(shape, p, w.reach[g]) & ~near)) continue;
         place_balls(robot, w, g);

@@ -56,6 +56,7 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
   for (int first = 0; first < count; first += 8) {
     for (unsigned m = boxes_that_meet(scene, first, low, high); m != 0; m &= m - 1) {
       const int o = first + __builtin_ctz(m);
+      if (kept_of_shape(robot, g, o) < 0.0F) continue;
       const BlockShape& shape = scene.shapes[static_cast<std::size_t>(o)];
       if (!any(meets(shape, p, reach))) continue;
       place_balls(robot, w, g);

@@ -86,7 +86,7 @@ struct ClearCells {
 // A group and an obstacle of the scene that keep less than others.
 struct BlockMargin {
   int group = 0, shape = 0;
-  float kept = 0.0F;  // [m]
+  float kept = 0.0F;  // [m]; below zero: they are no pair
 };
 
 struct BlockRobot {

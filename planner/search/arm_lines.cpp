@@ -6,6 +6,7 @@
 
 #include "common/math/index.h"
 #include "geometry/bounds/coarse_mesh.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/collision/links/inscribed_spheres.h"
 #include "robot/description/model.h"
 
@@ -119,6 +120,15 @@ void ArmLines::keep_less_at_ends(const Model& model, const std::vector<BallGroup
   }
   const GroupOf group(model, groups);
   if (groups.size() != at(group.count()) + shape_of.size()) throw std::invalid_argument("ArmLines: a group of each obstacle is wanted");
+  for (const BallGroup& riding : groups) {  // what a base on the plane carries, and the ground
+    if (riding.held || !stays_above_ground(model, riding.link)) continue;
+    for (std::size_t i = 0, part = 0; i < obstacles.size(); ++i) {
+      if (!takes_part(obstacles[i], model)) continue;
+      const int shape = shape_of[part++];
+      if (shape < 0 || !is_ground(obstacles[i])) continue;
+      robot_.kept_of_shapes.push_back({robot_.group_of[at(group(riding.link))], shape, -1.0F});
+    }
+  }
   if (ends_.empty()) return;
   robot_.kept_of_pairs.assign(robot_.pairs.size(), robot_.grow);
   for (EndPair& end : ends_) {

@@ -18,7 +18,7 @@ class arm_goal_t(Message):
     goal_id: int = ...  # random, echoed in arm_path_t
     joint_mask: int = ...  # kind 1: bit per joint that q is for
     sequence: int = ...
-    side: int = ...  # 1 left, 2 right
+    side: int = ...  # 1 left, 2 right, 3 third, 4 fourth, 5 fifth, 6 sixth, 7 seventh, 8 eighth
     kind: int = ...  # 0 cancel, 1 joints, 2 position (of the hand), 3 pose (of the hand)
     position: NDArray[np.float64] = ...  # [3] of the hand frame, in the ground frame [m]
     orientation: NDArray[np.float64] = ...  # [4] w x y z, in the ground frame

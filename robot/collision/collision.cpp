@@ -88,7 +88,9 @@ void Collision::Impl::build_pairs() {
   }
   for (int b = moved_owners; b < static_cast<int>(owners.size()); ++b) {
     for (int a = 0; a < moved_owners; ++a) {  // nothing moves a fixed base on what stands
-      if (model->floating_base || owner(a).link > 0) pairs.push_back(make_pair(a, b));
+      if (!model->floating_base && owner(a).link == 0) continue;
+      if (owner(b).ground && a < link_owners && stays_above_ground(*model, owner(a).link)) continue;
+      pairs.push_back(make_pair(a, b));
     }
   }
   build_shapes();
@@ -258,6 +260,7 @@ void Collision::set_obstacles(const std::vector<Obstacle>& obstacles) {
     Owner owner;
     owner.link = hand != nullptr ? hand->link : -1;
     owner.index = i.link_count + kept++;
+    owner.ground = is_ground(obstacle);
     owner.shapes.push_back(collision_shape(shape_of(obstacle, *i.model)));
     enclose(owner);
     (hand != nullptr ? i.owners : still).push_back(std::move(owner));

@@ -31,6 +31,7 @@ struct CollisionShape {  // one shape, of a link or an obstacle
 struct CollisionOwner {  // a link or an obstacle: its shapes and the sphere around them
   int link = -1;         // that moves it; -1: it stands still in the world
   int index = -1;        // the link, or obstacle + link_count
+  bool ground = false;   // an obstacle that a base on the plane stands on
   std::vector<CollisionShape> shapes;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // in the link frame (obstacle: world)
   double radius = 0.0;

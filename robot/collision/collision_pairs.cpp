@@ -40,6 +40,22 @@ bool hangs_on(const Model& model, int link, int on) {
   return link == on;
 }
 
+bool stays_above_ground(const Model& model, int link) {
+  if (model.plane_joints.empty() || !hangs_on(model, link, model.plane_joints.back() + 1)) return false;
+  const std::vector<const Hand*> hands = hands_of(model);
+  return std::none_of(hands.begin(), hands.end(), [&](const Hand* hand) {
+    return !hand->joints.empty() && hangs_on(model, link, hand->joints.front() + 1);
+  });
+}
+
+bool is_ground(const Obstacle& obstacle) noexcept {
+  constexpr double kWide = 2.0, kLevel = 1e-3, kThicker = 0.05;  // [m]
+  const double middle = obstacle.pose.translation().z();
+  return obstacle.shape == ObstacleShape::kBox && obstacle.hand < 0 && obstacle.size.head<2>().maxCoeff() > kWide &&
+         obstacle.pose.linear()(2, 2) > 1.0 - 0.5 * kLevel * kLevel && middle < 0.0 &&
+         middle + 0.5 * obstacle.size.z() < kThicker;
+}
+
 std::vector<CollisionPair> pairs_to_check(const Model& model) {
   const std::vector<PinnedLinks> pins = pinned_links(model);
   const auto pinned = [&](int a, int b) {

@@ -21,4 +21,9 @@ bool joint_moves_pair(const Model& model, int joint, int link_a, int link_b);
 // Is the link that one, or does it hang on it, as fingers do on a hand?
 bool hangs_on(const Model& model, int link, int on);
 
+// Of a base that moves on the plane: a link of no arm is always as high above the ground, on which the base stands, so the two are no
+// pair.  The ground: a wide level slab whose middle is below z = 0, also one that is taken for a little thicker.
+bool stays_above_ground(const Model& model, int link);
+bool is_ground(const Obstacle& obstacle) noexcept;
+
 }  // namespace twinbus

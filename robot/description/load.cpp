@@ -1,8 +1,10 @@
 #include "robot/description/load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -73,6 +75,47 @@ void place_limb(const LimbEntry& entry, const Model& model, const std::string& w
   limb.sensor = entry.sensor == entry.frame ? limb.frame : sensor.in_link;
 }
 
+// Of a base that moves on the plane: as stiff as the weight on it asks [1/s^2, 1/s].
+void find_plane_joints(Model& model) {
+  constexpr double kStiff = 225.0, kDamped = 21.0, kTurned = 0.15;  // the last: radius of inertia, squared [m^2]
+  for (const char* name : kPlaneJoints) {
+    const int index = need_joint(model, name, model.folder);
+    Joint& joint = model.joints[static_cast<std::size_t>(index)];
+    const double mass = model.total_mass() * (joint.kind == JointKind::kPrismatic ? 1.0 : kTurned);
+    joint.kp = joint.stop_kp = kStiff * mass;
+    joint.kd = joint.stop_kd = kDamped * mass;
+    model.plane_joints.push_back(index);
+  }
+}
+
+// The moving joints above the arm, from the outermost that is named on; of a base on the plane all.
+void find_carriers(const HandEntry& entry, const Model& model, Hand& hand) {
+  std::vector<int> above;  // from the base on
+  if (!hand.joints.empty()) {
+    for (int link = model.joints[static_cast<std::size_t>(hand.joints.front())].parent; link > 0;
+         link = model.links[static_cast<std::size_t>(link)].parent)
+      above.insert(above.begin(), link - 1);
+  }
+  auto first = model.plane_joints.empty() ? above.end() : above.begin();
+  for (const std::string& name : entry.carried_by) {
+    const auto found = std::find(above.begin(), above.end(), need_joint(model, name, entry.where));
+    if (found == above.end()) throw std::runtime_error(entry.where + ": the arm does not hang on joint " + name);
+    first = std::min(first, found);
+  }
+  std::copy_if(first, above.end(), std::back_inserter(hand.carriers),
+               [&](int j) { return model.joints[static_cast<std::size_t>(j)].mimic < 0; });
+}
+
+Hand hand_from(const HandEntry& entry, const std::string& name, const Model& model, const std::string& file) {
+  const std::string where = file + ": hands: " + name;
+  Hand hand;
+  hand.name = name;
+  place_limb(entry, model, where, hand);
+  for (const std::string& joint : entry.joints) hand.joints.push_back(need_joint(model, joint, where));
+  find_carriers(entry, model, hand);
+  return hand;
+}
+
 void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   model.period_ns = yaml.timing.period_ns;
   model.command_timeout = yaml.timing.command_timeout;
@@ -81,6 +124,7 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   model.device_timeout = yaml.timing.device_timeout;
   model.blend_s = yaml.timing.blend_s;
   model.off_action = yaml.timing.off_action;
+  if (yaml.plane) find_plane_joints(model);
   if (!yaml.imu_frame.empty()) {
     const Frame& imu = frame_called(model, yaml.imu_frame, file + ": imu");
     model.imu_link = imu.link;
@@ -93,14 +137,9 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
       model.soles[side] = entry.sole;
       place_limb(entry, model, file + ": soles: " + name, model.soles[side]);
     }
-    if (const HandEntry& entry = yaml.hands[side]; entry.present) {
-      const std::string where = file + ": hands: " + name;
-      place_limb(entry, model, where, model.hands[side]);
-      for (const std::string& joint : entry.joints) {
-        model.hands[side].joints.push_back(need_joint(model, joint, where));
-      }
-    }
+    if (const HandEntry& entry = yaml.hands[side]; entry.present) model.hands[side] = hand_from(entry, name, model, file);
   }
+  for (const auto& [name, entry] : yaml.more_hands) model.more_hands.push_back(hand_from(entry, name, model, file));
   for (const std::string& joint : yaml.leg_joints) {
     model.leg_joints.push_back(need_joint(model, joint, file + ": leg_joints"));
   }
@@ -169,7 +208,7 @@ Model build_robot(const RobotTexts& texts, const RobotYaml& yaml, const std::str
   Model model;
   model.yaml_text = texts.yaml;
   const std::string urdf_file = (folder / yaml.urdf).string();
-  model.urdf_text = texts.urdf;
+  model.urdf_text = yaml.plane ? with_plane_joints(texts.urdf, urdf_file, *yaml.plane) : texts.urdf;
   model.floating_base = yaml.floating_base;
 
   ModelBuilder builder(parse_urdf(model.urdf_text, urdf_file,

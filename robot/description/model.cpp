@@ -38,4 +38,20 @@ const Frame& frame_called(const Model& model, const std::string& name, const std
   return *found;
 }
 
+std::vector<const Hand*> hands_of(const Model& model) {
+  std::vector<const Hand*> hands;
+  for (const Hand& hand : model.hands) {
+    if (hand.link >= 0) hands.push_back(&hand);
+  }
+  for (const Hand& hand : model.more_hands) hands.push_back(&hand);
+  return hands;
+}
+
+int number_of(const Model& model, const Hand& hand) noexcept {
+  for (int side = 0; side < 2; ++side) {
+    if (&hand == &model.hands[static_cast<std::size_t>(side)]) return side;
+  }
+  return static_cast<int>(&hand - model.more_hands.data()) + 2;
+}
+
 }  // namespace twinbus

@@ -84,12 +84,16 @@ struct Sole {
 };
 
 struct Hand {
+  std::string name;  // left, right, or as robot.yaml calls a further one
   int link = -1;
   std::string place;  // as of a sole
   Eigen::Isometry3d frame =
       Eigen::Isometry3d::Identity();  // what reach() places, in the link frame
   Eigen::Isometry3d sensor = Eigen::Isometry3d::Identity();
   std::vector<int> joints;  // of the arm, from shoulder to wrist
+  // Joints that the arm hangs on and that may move for a goal which it does not reach by itself: of a base that moves on the plane, of
+  // a lift; from the base of the robot on, no one left out.
+  std::vector<int> carriers;
 };
 
 // Fingers of a hand that open and close together.
@@ -131,6 +135,8 @@ struct Model {
   std::array<Sole, 2> soles;  // left, right; link -1 when absent
   std::array<Hand, 2> hands;  // left, right; link -1 when absent
   std::array<Gripper, 2> grippers;  // left, right
+  std::vector<Hand> more_hands;  // of a robot with other arms than a left and a right one, in the order of robot.yaml
+  std::vector<int> plane_joints;  // x, y and turn of a base that moves on the plane z = 0; empty: it does not
   int imu_link = 0;
   std::string imu_place;  // as of a sole; empty: the base
   Eigen::Isometry3d imu = Eigen::Isometry3d::Identity();  // in its link's frame
@@ -171,14 +177,26 @@ struct Model {
   int find_pose(const std::string& name) const;
 };
 
-// The hand of that side (0 left, 1 right); of a robot with one hand that one, for either side; null: it has none.
-inline const Hand* hand_of(const Model& model, int side) noexcept {
-  for (const int one : {side, 1 - side}) {
+inline constexpr int kMostHands = 8;  // as ArmSide has
+
+// 0 left, 1 right, from 2 on the further ones; left and right of a robot with one of them are that one, of one with neither the first
+// of the others.  Null: it has none of that number.
+inline const Hand* hand_of(const Model& model, int number) noexcept {
+  const int more = static_cast<int>(model.more_hands.size());
+  if (number >= 2) return number - 2 < more ? &model.more_hands[static_cast<std::size_t>(number - 2)] : nullptr;
+  if (number < 0) return nullptr;
+  for (const int one : {number, 1 - number}) {
     const Hand& hand = model.hands[static_cast<std::size_t>(one)];
     if (hand.link >= 0) return &hand;
   }
-  return nullptr;
+  return more > 0 ? model.more_hands.data() : nullptr;
 }
+
+// All that the robot has.
+std::vector<const Hand*> hands_of(const Model& model);
+// The number of one of its own, and that of an arm in messages.
+int number_of(const Model& model, const Hand& hand) noexcept;
+inline int number_of(ArmSide side) noexcept { return static_cast<int>(side) - 1; }
 
 // The link of the URDF called so, in the link it was merged into.  Throws std::runtime_error that begins with `where`, with the
 // nearest name.

@@ -88,6 +88,11 @@ std::int64_t model_hash(const Model& model) {
     hash.pose(hand.frame);
     hash.pose(hand.sensor);
   }
+  for (const Hand& hand : model.more_hands) {
+    hash.text(hand.name);
+    hash.integer(hand.link);
+    hash.pose(hand.frame);
+  }
   hash.integer(model.imu_link);
   hash.pose(model.imu);
   const auto value = static_cast<std::int64_t>(hash.value() & ((std::uint64_t{1} << 53) - 1));

@@ -83,8 +83,20 @@ HandEntry read_hand(const ConfigNode& node) {
   HandEntry entry;
   read_limb(node, entry);
   entry.joints = node.texts("joints");
+  entry.carried_by = node.texts("carried_by");
+  entry.where = node.where("carried_by");
   node.finish();
   return entry;
+}
+
+PlaneBase read_plane(const ConfigNode& node) {
+  PlaneBase plane;
+  plane.area = node.number("area", 0.1, 100.0, plane.area);
+  plane.speed = node.number("speed", 0.01, 5.0, plane.speed);
+  plane.turn_speed = node.number("turn_speed", 0.01, 10.0, plane.turn_speed);
+  plane.height = node.number("height", -1.0, 5.0, plane.height);
+  node.finish();
+  return plane;
 }
 
 NearPairEntry read_near_pair(const ConfigNode& node) {
@@ -143,7 +155,10 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
   }
   yaml.fixed_joints = top.texts("fixed_joints");
   yaml.inertia_from_shape = top.texts("inertia_from_shape");
-  yaml.floating_base = top.choice("base", {"floating", "fixed"}, 0) == 0;
+  const std::size_t base = static_cast<std::size_t>(top.choice("base", {"floating", "fixed", "planar"}, 0));
+  yaml.floating_base = base == 0;
+  if (base == 2) yaml.plane = top.has("planar") ? read_plane(top.map("planar")) : PlaneBase();
+  else if (top.has("planar")) top.fail("planar", "is of a base that moves on the plane: write base: planar, or leave it out");
   if (top.is_map("imu")) {
     const ConfigNode imu = top.map("imu");
     yaml.imu_frame = imu.text("frame");
@@ -174,13 +189,19 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
       if (soles.has(kSides[side])) yaml.soles[side] = read_sole(soles.map(kSides[side]));
     }
     soles.finish();
+    if (yaml.plane) top.fail("soles", "are of a robot that stands on feet: leave them out, or write base: floating");
   }
   if (top.has("hands")) {
     const ConfigNode hands = top.map("hands");
     for (std::size_t side = 0; side < 2; ++side) {
       if (hands.has(kSides[side])) yaml.hands[side] = read_hand(hands.map(kSides[side]));
     }
-    hands.finish();
+    for (const std::string& name : hands.keys()) {
+      if (name == kSides[0] || name == kSides[1]) continue;
+      if (yaml.more_hands.size() + 2 == static_cast<std::size_t>(kMostHands))
+        hands.fail(name, "is one too many: beside left and right there may be " + std::to_string(kMostHands - 2));
+      yaml.more_hands.emplace_back(name, read_hand(hands.map(name)));
+    }
   }
   if (top.has("collision")) top.fail("collision", "is no choice any more: distances are always the robot's own; leave it out");
   if (top.has("walking")) {

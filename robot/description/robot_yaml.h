@@ -3,12 +3,14 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/text/strict_yaml.h"
 #include "robot/description/model.h"
+#include "robot/description/urdf.h"
 
 namespace twinbus {
 
@@ -31,7 +33,8 @@ struct SoleEntry : LimbEntry {
 };
 
 struct HandEntry : LimbEntry {
-  std::vector<std::string> joints;
+  std::vector<std::string> joints, carried_by;
+  std::string where;  // of carried_by: file, line and key
 };
 
 // Links that the robot's own shape keeps near each other: robot/collision/near_pairs.h.
@@ -56,10 +59,13 @@ struct RobotYaml {
   std::vector<std::string> fixed_joints;
   std::vector<std::string> inertia_from_shape;  // links; see shape_inertia.h
   bool floating_base = true;
+  // `base: planar`, and of the map `planar`: {area: 3, speed: 0.5, turn_speed: 1, height: 0}
+  std::optional<PlaneBase> plane;
   std::string imu_frame;
   Eigen::Isometry3d imu_offset = Eigen::Isometry3d::Identity();  // of the IMU in that link
   std::array<SoleEntry, 2> soles;
   std::array<HandEntry, 2> hands;
+  std::vector<std::pair<std::string, HandEntry>> more_hands;  // by the names that robot.yaml gives them
   std::vector<std::string> leg_joints;
   std::vector<ServoEntry> servos;
   Walking walking;

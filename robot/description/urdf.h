@@ -49,6 +49,21 @@ struct UrdfTree {
   std::vector<std::string> notes;  // what could not be used and does no harm, with file and line
 };
 
+// A base that moves on the plane, such as one on omnidirectional wheels: three joints with servos between the ground and the root link.
+// Nothing rolls; the wheels stand a little above the ground.
+struct PlaneBase {
+  double area = 3.0;        // it moves so far from where it begins, along x and along y [m]
+  double speed = 0.5;       // along x, and along y [m/s]
+  double turn_speed = 1.0;  // [rad/s]
+  double height = 0.0;      // of the root link's frame above the ground [m]
+};
+
+// Of these joints, x first.
+inline constexpr const char* kPlaneJoints[3] = {"base_x", "base_y", "base_yaw"};
+
+// The URDF with them (planar_base.cpp), or as it is if it has them already.  Throws as parse_urdf does when a name is taken.
+std::string with_plane_joints(const std::string& text, const std::string& file, const PlaneBase& base);
+
 // file: for messages.  Throws std::runtime_error, one line naming file, line and element.
 UrdfTree parse_urdf(const std::string& text, const std::string& file, const AssetRoots& roots);
 

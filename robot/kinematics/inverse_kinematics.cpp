@@ -63,6 +63,7 @@ InverseKinematics::InverseKinematics(const Model& model, int base_link, int link
                              " joints between links " + model.links[at(base_link)].name + " and " +
                              model.links[at(link)].name);
   }
+  held_.fill(std::numeric_limits<double>::quiet_NaN());
   // Steps of powers of 1 / g, g^(n+1) = g + 1, fill the box of all postures most evenly.
   double g = 1.5;
   for (int round = 0; round < 50; ++round) {
@@ -74,12 +75,19 @@ InverseKinematics::InverseKinematics(const Model& model, int base_link, int link
   jacobian_.setZero(6, static_cast<Eigen::Index>(joints_.size()));
 }
 
+void InverseKinematics::hold(int joint, double place) noexcept {
+  const auto found = std::find(joints_.begin(), joints_.end(), joint);
+  if (found != joints_.end()) held_[static_cast<std::size_t>(found - joints_.begin())] = place;
+}
+
 double InverseKinematics::low(std::size_t i, const IkOptions& options) const noexcept {
+  if (std::isfinite(held_[i])) return held_[i];
   const Joint& joint = model_->joints[at(joints_[i])];
   return std::min(joint.lower + options.limit_margin, 0.5 * (joint.lower + joint.upper));
 }
 
 double InverseKinematics::high(std::size_t i, const IkOptions& options) const noexcept {
+  if (std::isfinite(held_[i])) return held_[i];
   const Joint& joint = model_->joints[at(joints_[i])];
   return std::max(joint.upper - options.limit_margin, 0.5 * (joint.lower + joint.upper));
 }

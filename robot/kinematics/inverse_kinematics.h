@@ -45,6 +45,8 @@ class InverseKinematics {
 
   // Model joint indices of the chain, base first.  Mimic joints on the way stay as they are in q.
   const std::vector<int>& joints() const noexcept { return joints_; }
+  // This joint of the chain (model index) stays there from now on [rad or m].
+  void hold(int joint, double place) noexcept;
 
   // q [joint_count]: the starting posture, then the solution; only joints of the chain change, and
   // they stay within their limits.  When the target cannot be reached the nearest posture found is
@@ -74,6 +76,7 @@ class InverseKinematics {
   const Model* model_;
   std::vector<int> path_;    // all joints on the way, base first
   std::vector<int> joints_;  // those that may move
+  std::array<double, kMaxChain> held_;  // where one of them stays; not finite: it moves
   Eigen::Isometry3d frame_;
   std::array<Eigen::Vector3d, kMaxChain> axis_, origin_;  // of joints_, base link's frame
   Jacobian jacobian_;

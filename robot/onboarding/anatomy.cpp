@@ -176,7 +176,7 @@ class Finder {
       if (above == kLimbJoints) return false;
       palm = children_[at(palm)].front();
     }
-    int fingers = 0;
+    std::vector<int> fingers;
     double shortest = 1e300, longest = 0.0;
     for (const int root : children_[at(palm)]) {
       if (depth_[at(root)] < kFingerJoints) continue;
@@ -191,12 +191,22 @@ class Finder {
       }
       shortest = std::min(shortest, length);
       longest = std::max(longest, length);
-      ++fingers;
+      fingers.push_back(root);
     }
-    if (fingers < kFingers || longest > kFinger || longest > kAlikeFingers * shortest) return false;
-    result_.doubts.push_back("a hand without an arm: " + std::to_string(fingers) + " fingers on " +
+    if (fingers.size() < at(kFingers) || longest > kFinger || longest > kAlikeFingers * shortest) return false;
+    result_.doubts.push_back("a hand without an arm: " + std::to_string(fingers.size()) + " fingers on " +
                              (palm == 0 ? "its base" : model_.links[at(palm)].name) +
-                             "; nothing of it is an arm that reaches, its joints hold, take poses and commands");
+                             "; each is an arm that reaches by its name, finger_1 and so on in the order of the file");
+    for (const int root : fingers) {
+      Hand finger;
+      finger.name = "finger_" + std::to_string(result_.more_hands.size() + 1);
+      for (const int link : chain(root, true)) {
+        finger.link = link;
+        if (model_.joints[at(link - 1)].mimic < 0) finger.joints.push_back(link - 1);
+      }
+      finger.frame.translation() = middle_of_hand(finger.link);
+      if (!finger.joints.empty() && result_.more_hands.size() + 2 < at(kMostHands)) result_.more_hands.push_back(finger);
+    }
     return true;
   }
 

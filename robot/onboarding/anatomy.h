@@ -20,6 +20,7 @@ namespace twinbus {
 struct Anatomy {
   std::array<Sole, 2> soles;  // left, right: link, frame and edges; link -1 when not found
   std::array<Hand, 2> hands;  // left, right: link, frame, joints
+  std::vector<Hand> more_hands;  // of a hand that no arm carries: its fingers
   std::array<std::string, 2> sole_sensor, hand_sensor;  // names of frames, empty when none is there
   std::vector<int> leg_joints;
   std::string imu_frame;            // a frame of the trunk

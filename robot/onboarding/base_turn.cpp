@@ -85,7 +85,17 @@ double height_of_stand(const Model& model) {
     for (const Eigen::Vector3d& point : link_points(model.links[at(link)]))
       low = std::min(low, (k.link_in_world(link) * point).z());
   }
-  const double needed = std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kTouches ? kArmsAbove - arms : 0.0);
+  double fingers = 0.0;  // so high that none of a hand without an arm reaches the ground
+  for (const Hand& finger : found.more_hands) {
+    const int root = finger.joints.front() + 1;
+    const Eigen::Vector3d joint = k.link_in_world(root).translation();
+    for (int link = root; link < model.link_count(); ++link) {
+      if (!hangs_on(model, link, root)) continue;
+      for (const Eigen::Vector3d& point : link_points(model.links[at(link)]))
+        fingers = std::max(fingers, kArmsAbove + (k.link_in_world(link) * point - joint).norm() - joint.z());
+    }
+  }
+  const double needed = std::max(fingers, std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kTouches ? kArmsAbove - arms : 0.0));
   return 1e-3 * std::ceil(1e3 * needed);
 }
 

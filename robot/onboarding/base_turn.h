@@ -18,7 +18,8 @@ Eigen::Matrix3d find_base_turn(const Model& model);
 int side_of_name(const std::string& name);
 
 // How far a robot on a fixed base is to stand above the ground, which lies at the origin of its file [m]: as far as its trunk reaches
-// below it, or, a little above the ground, two arms that hang, or one that no lift of its joints raises.  0: it is not.
+// below it, or, a little above the ground, two arms that hang, or one that no lift of its joints raises; a hand alone so that no
+// finger can reach the ground.  0: it is not.
 double height_of_stand(const Model& model);
 
 // `wanted`, or it with a number, for with_root_above: no link or joint of the URDF has that name or that of its joint.

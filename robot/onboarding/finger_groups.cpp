@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "common/math/index.h"
 #include "common/text/formatted.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
+#include "robot/description/urdf.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
@@ -136,7 +138,7 @@ FingerGroup group_of(const Model& model, const Hand& hand) {
 
 }  // namespace
 
-FingerGroups finger_groups(const Model& model, const Anatomy& anatomy) {
+FingerGroups finger_groups(const Model& model, const Anatomy& anatomy, bool planar) {
   FingerGroups groups;
   std::size_t kept = 0, behind = 0;
   for (const std::size_t side : {0, 1}) {
@@ -147,7 +149,8 @@ FingerGroups finger_groups(const Model& model, const Anatomy& anatomy) {
     for (const Hand& hand : anatomy.hands)
       behind += hand.link > 0 && j + 1 != hand.link && hangs_on(model, j + 1, hand.link) ? 1 : 0;
   }
-  if (model.bus_joints.size() - behind + kept > at(kMaxJoints)) return {};
+  const std::size_t of_base = planar ? std::size(kPlaneJoints) : 0;
+  if (model.bus_joints.size() + of_base - behind + kept > at(kMaxJoints)) return {};
   return groups;
 }
 

@@ -23,8 +23,9 @@ struct FingerGroup {
 using FingerGroups = std::array<FingerGroup, 2>;  // of the left and the right hand
 
 // Joints behind a hand that have limits, effort and speed; all of a hand, or none when one has not, or they are heavier than the
-// arm, or the bus would carry too many.  Closed is where the fingers are nearest to one another, or a single one to its hand.
-FingerGroups finger_groups(const Model& model, const Anatomy& anatomy);
+// arm, or the bus would carry too many (planar: with the joints of a base that moves on the plane).
+// Closed is where the fingers are nearest to one another, or a single one to its hand.
+FingerGroups finger_groups(const Model& model, const Anatomy& anatomy, bool planar = false);
 
 // Links of the group that the model does not exempt from touching each other yet, the smaller index first.
 std::vector<std::array<int, 2>> pairs_within(const FingerGroup& group, const Model& model);

@@ -258,7 +258,7 @@ std::vector<Suspicion> find_missing(const Model& model) {
     add("robot.yaml", "says no leg_joints: the guard could hold a leg while walking",
         "add leg_joints");
   }
-  if (model.hands[0].link < 0 && model.hands[1].link < 0) {
+  if (hand_of(model, 0) == nullptr) {
     add("robot.yaml", "says no hands: reach does not work", "add hands, if it has any");
   }
   int without = 0;

@@ -11,6 +11,7 @@
 #include "common/math/index.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/carriers.h"
 #include "robot/onboarding/finger_groups.h"
 #include "robot/onboarding/point_legged.h"
 #include "robot/onboarding/known_srdf.h"
@@ -108,8 +109,8 @@ class Writer {
     std::string out =
         "# Proposed by `twinbus check`: a beginning.  Measure soles and gains before a real robot "
         "moves.\n";
-    out += "urdf: " + source.urdf_name + "\nsrdf: " + srdf_name +
-           "\nbase: " + (floating() ? "floating" : "fixed") + "\n";
+    out += "urdf: " + source.urdf_name + "\nsrdf: " + srdf_name + "\nbase: " + (source.planar ? "planar" : floating() ? "floating" : "fixed") + "\n";
+    if (source.planar) out += planar_yaml(model_, anatomy_);
     if (!source.packages.empty()) {
       out += "packages:\n";
       for (const auto& [name, folder] : source.packages)
@@ -217,7 +218,7 @@ class Writer {
   // The fingers of an arm move as one group; what is of one hand may touch.
   void keep_grippers() {
     if (has_soles() || points_ || floating()) return;
-    groups_ = finger_groups(model_, anatomy_);
+    groups_ = finger_groups(model_, anatomy_, source_.planar);
     for (const FingerGroup& group : groups_) {
       const auto& links = group.links;
       std::erase_if(fingers_, [&](int j) { return std::find(links.begin(), links.end(), j + 1) != links.end(); });
@@ -361,18 +362,17 @@ class Writer {
   }
 
   void hands(std::string& out) const {
-    if (anatomy_.hands[0].link < 0 && anatomy_.hands[1].link < 0) return;
-    out += "\nhands:\n";
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Hand& hand = anatomy_.hands[side];
-      if (hand.link < 0) continue;
-      out += std::string(side == 0 ? "  left:" : "  right:") +
-             "\n    frame: " + model_.links[at(hand.link)].name +
-             "\n    at: " + list(hand.frame.translation()) + "\n";
-      if (!anatomy_.hand_sensor[side].empty())
-        out += "    sensor: " + anatomy_.hand_sensor[side] + "\n";
+    const auto write = [&](const std::string& name, const Hand& hand, const std::string& sensor) {
+      out += "  " + name + ":\n    frame: " + model_.links[at(hand.link)].name + "\n    at: " + list(hand.frame.translation()) + "\n";
+      if (!sensor.empty()) out += "    sensor: " + sensor + "\n";
       out += "    joints: " + list(names_of(hand.joints)) + "\n";
+      if (!floating()) out += carried_by_yaml(model_, anatomy_, hand);
+    };
+    if (anatomy_.hands[0].link >= 0 || anatomy_.hands[1].link >= 0 || !anatomy_.more_hands.empty()) out += "\nhands:\n";
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (anatomy_.hands[side].link >= 0) write(side == 0 ? "left" : "right", anatomy_.hands[side], anatomy_.hand_sensor[side]);
     }
+    for (const Hand& finger : anatomy_.more_hands) write(finger.name, finger, "");
   }
 
   bool above(int link, int below) const {

@@ -41,6 +41,7 @@ struct ProposalSource {
   // What an MJCF model says and a URDF cannot.
   std::string srdf_origin = "the SRDF that was there";    // what srdf_text is, for messages
   std::optional<bool> floating;                           // else a robot with soles floats
+  bool planar = false;                                    // its base moves on the plane; floating is false then
   std::string imu;                                        // frame; empty: one of the trunk
   std::vector<KnownServo> servos;
   bool servos_apply = true;                               // else they are a remark beside the proposed ones

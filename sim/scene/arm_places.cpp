@@ -443,8 +443,8 @@ std::string begins_too_heavy(const Scene& scene, const Model& model) {
   if (model.floating_base) return "";
   GravityLoad load(model);
   const Configuration start(model, scene.start_pose);
-  for (const Hand& hand : model.hands) {
-    const GravityLoad::Worst worst = load.of(start, hand.joints);
+  for (const Hand* hand : hands_of(model)) {
+    const GravityLoad::Worst worst = load.of(start, hand->joints);
     if (worst.joint < 0 || !(worst.share > 1.0)) continue;
     const Joint& joint = model.joints[at(worst.joint)];
     const std::string text = formatted(" needs %.4g of its effort limit of %.4g to hold the arm where it begins",
@@ -456,9 +456,10 @@ std::string begins_too_heavy(const Scene& scene, const Model& model) {
 
 void measure_by_arm(Scene& scene, const Model& model) {
   if (!scene.in_arm_lengths) return;
-  const Hand& hand = model.hands[model.hands[1].link >= 0 ? 1 : 0];
-  if (hand.link < 0 || hand.joints.empty())
+  const Hand* right = hand_of(model, 1);
+  if (right == nullptr || right->joints.empty())
     throw std::runtime_error("scene " + scene.name + ": its lengths are those of an arm, and the robot " + model.name + " has none");
+  const Hand& hand = *right;
   ArmPlaces places(scene, model, hand);
   Placement p;
   if (!places.find(p) && !model.floating_base)

@@ -144,8 +144,9 @@ TimedMode read_mode(const ConfigNode& node) {
 TimedGoal read_goal(const ConfigNode& node) {
   TimedGoal timed;
   timed.at = node.number("at", 0.0, kDay);
-  timed.request.side = static_cast<ArmSide>(node.choice("hand", {"left", "right"}, -1) + 1);
-  if (timed.request.side == ArmSide::kNone) node.fail("hand", "is missing: left or right");
+  timed.hand = node.text("hand", "");
+  if (timed.hand.empty()) node.fail("hand", "is missing: left or right, or the name that robot.yaml gives an arm");
+  timed.request.side = timed.hand == "left" ? ArmSide::kLeft : timed.hand == "right" ? ArmSide::kRight : ArmSide::kThird;
   timed.request.speed = static_cast<float>(node.number("speed", 0.01, 1.0, 1.0));
   timed.pose = node.text("pose", "");
   if (node.flag("cancel", false)) {
@@ -469,11 +470,12 @@ void resolve_poses(Scene& scene, const Model& model) {
   for (TimedGoal& timed : scene.goals) {
     if (timed.pose.empty()) continue;
     const std::vector<double> q = pose_on_bus(scene, model, timed.pose);
-    const Hand& hand = model.hands[timed.request.side == ArmSide::kLeft ? 0 : 1];
+    const Hand* hand = hand_of(model, number_of(timed.request.side));
+    if (hand == nullptr) continue;
     std::copy(q.begin(), q.end(), timed.request.q.begin());
     for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
-      if (std::find(hand.joints.begin(), hand.joints.end(), model.bus_joints[k]) !=
-          hand.joints.end()) {
+      if (std::find(hand->joints.begin(), hand->joints.end(), model.bus_joints[k]) !=
+          hand->joints.end()) {
         timed.request.joint_mask |= std::int64_t{1} << k;
       }
     }

@@ -33,6 +33,7 @@ struct TimedMode : Scripted<ModeRequest> {
 
 struct TimedGoal : Scripted<ArmGoal> {
   std::string pose;
+  std::string hand;  // left, right, or as robot.yaml calls an arm; resolve_poses makes request.side of it
   // Of a goal for any arm: from the shoulder, in shares of the stretched arm; resolve_poses makes the position of it.
   bool of_reach = false;
   Eigen::Vector3d reach = Eigen::Vector3d::Zero();

@@ -74,10 +74,11 @@ ArmOverGround over_ground(const Scene& scene, const Model& model) {
   ArmOverGround found;
   Kinematics k(model);
   k.update(Configuration(model, scene.start_pose));
+  const std::vector<const Hand*> hands = hands_of(model);
   const auto of_arm = [&](int link) {
-    return std::any_of(model.hands.begin(), model.hands.end(), [&](const Hand& hand) {
-      if (hand.joints.empty() || !hangs_on(model, link, hand.joints.front() + 1)) return false;
-      return link != hand.joints.front() + 1 || !turns_in_place(k, hand);
+    return std::any_of(hands.begin(), hands.end(), [&](const Hand* hand) {
+      if (hand->joints.empty() || !hangs_on(model, link, hand->joints.front() + 1)) return false;
+      return link != hand->joints.front() + 1 || !turns_in_place(k, *hand);
     });
   };
   for (int link = 0; link < model.link_count(); ++link) {
@@ -99,7 +100,7 @@ ArmOverGround over_ground(const Scene& scene, const Model& model) {
 
 bool is_arm(const Model& model) {
   const bool feet = model.soles[0].link >= 0 || model.soles[1].link >= 0;
-  return !model.floating_base && !feet && (model.hands[0].link >= 0 || model.hands[1].link >= 0);
+  return !model.floating_base && !feet && hand_of(model, 0) != nullptr;
 }
 
 }  // namespace
@@ -147,7 +148,7 @@ void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles) {
 }
 
 void add_floor(Scene& scene, const Model& model) {
-  constexpr double kGap = 0.06, kThick = 0.1, kHalf = 5.0;  // [m]; a gap as wide as planners keep of what they take for thicker
+  constexpr double kGap = 0.06, kThick = 0.1, kHalf = 5.0, kBeyond = 2.0;  // [m]; a gap as wide as planners keep of what they take for thicker
   if (!is_arm(model)) return;
   const ArmOverGround arm = over_ground(scene, model);
   if (!(arm.low > 0.0)) return;
@@ -159,6 +160,10 @@ void add_floor(Scene& scene, const Model& model) {
     const auto is_it = [&](const Obstacle& o) { return o.size == floor.size && o.pose.isApprox(floor.pose); };
     if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(), is_it)) scene.obstacles.push_back(floor);
   };
+  if (!model.plane_joints.empty()) {  // wherever it goes
+    const double half = std::max(kHalf, model.joints[at(model.plane_joints.front())].upper + kBeyond);
+    return add(-half, half, -half, half);
+  }
   if (arm.stands.isEmpty()) return add(-kHalf, kHalf, -kHalf, kHalf);
   const Eigen::Vector2d low = arm.stands.min().array() - kGap, high = arm.stands.max().array() + kGap;
   add(high.x(), kHalf, -kHalf, kHalf);

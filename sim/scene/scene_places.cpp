@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "common/math/index.h"
+#include "common/text/closest_name.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/scene/arm_places.h"
 
@@ -107,12 +109,18 @@ void name_places(Scene& scene, const Model& model) {
   for (JointEnd& end : scene.criteria.joints) joint(end.name);
   for (auto& [name, speed] : scene.start_velocity) joint(name);
   for (TimedGoal& timed : scene.goals) {
-    const std::size_t side = timed.request.side == ArmSide::kLeft ? 0 : 1;
-    if (model.hands[side].link < 0 && model.hands[1 - side].link >= 0)
-      timed.request.side = side == 0 ? ArmSide::kRight : ArmSide::kLeft;
-    const Hand& hand = model.hands[timed.request.side == ArmSide::kLeft ? 0 : 1];
-    if (!timed.of_reach || hand.link < 0 || hand.joints.empty()) continue;
-    const ArmSpan arm = arm_in_scene(scene, model, hand);
+    const auto named = std::find_if(model.more_hands.begin(), model.more_hands.end(),
+                                    [&](const Hand& other) { return other.name == timed.hand; });
+    const bool is_side = timed.hand.empty() || timed.hand == "left" || timed.hand == "right";
+    if (!is_side && named == model.more_hands.end()) {
+      throw std::runtime_error("scene " + scene.name + ": " + model.name + " has no arm " + timed.hand +
+                               suggestion(timed.hand, model.more_hands) + "; say left, right, or a name under hands of its robot.yaml");
+    }
+    const Hand* hand = is_side ? hand_of(model, number_of(timed.request.side)) : &*named;
+    if (hand == nullptr) continue;
+    timed.request.side = static_cast<ArmSide>(number_of(model, *hand) + 1);
+    if (!timed.of_reach || hand->joints.empty()) continue;
+    const ArmSpan arm = arm_in_scene(scene, model, *hand);
     const Eigen::Vector3d position = arm.shoulder + arm.length * timed.reach;
     for (int i = 0; i < 3; ++i) timed.request.position[at(i)] = position[i];
   }

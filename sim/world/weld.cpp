@@ -67,12 +67,16 @@ void renumber(const Model& model, WeldedModel& welded) {
     sole.sensor = moved(sole.link, sole.sensor);
     sole.link = link_of(sole.link);
   }
-  for (Hand& hand : to.hands) {
+  const auto move_hand = [&](Hand& hand) {
     hand.frame = moved(hand.link, hand.frame);
     hand.sensor = moved(hand.link, hand.sensor);
     hand.link = link_of(hand.link);
     hand.joints = joints_of(hand.joints);
-  }
+    hand.carriers = joints_of(hand.carriers);
+  };
+  for (Hand& hand : to.hands) move_hand(hand);
+  for (Hand& hand : to.more_hands) move_hand(hand);
+  to.plane_joints = joints_of(model.plane_joints);
   to.imu = moved(to.imu_link, to.imu);
   to.imu_link = link_of(to.imu_link);
   to.leg_joints = joints_of(model.leg_joints);

@@ -9,9 +9,10 @@ not stopped, touches nothing, tilts at most 5 degrees and keeps its velocity wit
 0.08 sqrt(g leg).  A robot that `check` refuses or says not to stand is listed with that reason.  --keep DIR leaves the proposals
 there.  Exit status 1 if fewer than 90 % of those that `check` takes stand, or fewer than 80 % of those walk that it does not refuse to walk.
 
-./twinbus bench any_robot --arms N [FILE.urdf ...]: robots on a fixed base with an arm run the arm_* scenes, and N reaches each among obstacles
+./twinbus bench any_robot --arms N [--base planar] [--away M] [FILE.urdf ...]: robots on a fixed base with an arm run the arm_* scenes, and N reaches each among obstacles
 around the shoulder (test/bench/reach_world.cpp): reached or truly refused, and contacts by the exact meshes.  --held N: every second
-goal of a hand picks a thing, the next one places it.  Exit status 1 if a scene fails, a goal is refused untruly or missed, or anything touches.
+goal of a hand picks a thing, the next one places it.  --base planar: proposed with a base that moves on the plane; --away M: to goals for which it
+drives up to M metres along x and y, or a lift moves.  Exit status 1 if a scene fails, a goal is refused untruly or missed, or anything touches.
 """
 
 import csv
@@ -143,12 +144,12 @@ class Robot:
         return 0.5 * self.speed / math.sqrt(G * self.leg) if self.speed > 0.0 else 0.0
 
 
-def reaches(robot, count, held):
+def reaches(robot, count, held, away):
     """Of reach_world, ten goals a world: {figure: sum, or the worst}."""
     found = {}
     for seed in range(1, (count + 9) // 10 + 1):
         done = subprocess.run([pathlib.Path(robot.binary).parent / "reach_world", "--robot", robot.folder, "--seed", str(seed), "--goals", "10", "--speed", "0.7",
-                               *(["--held"] if held else [])], capture_output=True, text=True, env=robot.env)
+                               *(["--held"] if held else []), "--away", away], capture_output=True, text=True, env=robot.env)
         try:
             world = json.loads(done.stdout.splitlines()[-1])
         except (IndexError, ValueError):
@@ -160,11 +161,11 @@ def reaches(robot, count, held):
     return found
 
 
-def arms(files, count, held, keep, binary):
+def arms(files, count, held, base, away, keep, binary):
     failed = looked = 0
     for number, file in enumerate(files):
         robot = Robot(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
-        done = robot.twinbus("check", file, "--propose", robot.folder, "--json")
+        done = robot.twinbus("check", file, "--propose", robot.folder, "--json", *(["--base", base] if base else []))
         try:
             trial = json.loads(done.stdout)["trial"]
         except ValueError:
@@ -180,7 +181,7 @@ def arms(files, count, held, keep, binary):
             paths, goals = done.stdout.count("arm path of"), done.stdout.count("planner: ")
             said.append(f"{scene} {'passed' if done.returncode == 0 else 'FAILED (' + '; '.join(causes) + ')'}" + (f", {paths} of {goals} goals" if goals else ""))
             failed += done.returncode != 0
-        found = reaches(robot, count, held)
+        found = reaches(robot, count, held, away)
         failed += found["missed"] + found["given_up"] + found["contacts"] + found["broken"]
         print(f"{robot.name:28} {'; '.join(said)}; {found['asked']} {'picks and places' if held else 'reaches'}: {found['reached']} reached, "
               f"{found['refused_truly']} refused truly, {found['missed']} untruly or missed, {found['given_up']} given up, {found['contacts']} with a contact; "
@@ -223,7 +224,7 @@ def write_rows(file, columns, rows):
 
 
 def main(words):
-    command = asked(words, __doc__, {"--wheel": "", "--arms": "", "--held": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
+    command = asked(words, __doc__, {"--wheel": "", "--arms": "", "--held": "", "--base": "", "--away": "0", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
     if command is None:
         return 0
     options, files = command
@@ -234,7 +235,7 @@ def main(words):
         with tempfile.TemporaryDirectory() as scratch:
             keep = pathlib.Path(options["--keep"] or scratch)
             keep.mkdir(parents=True, exist_ok=True)
-            return arms(files, int(options["--arms"] or options["--held"]), bool(options["--held"]), keep, binary)
+            return arms(files, int(options["--arms"] or options["--held"]), bool(options["--held"]), options["--base"], options["--away"], keep, binary)
     stand = walk = legs = walkers = 0
     rows = []
     with tempfile.TemporaryDirectory() as scratch:

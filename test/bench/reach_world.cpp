@@ -1,10 +1,13 @@
 // One world of `twinbus bench reach`: a robot, hrp1s unless told, balances or holds its base among random obstacles and is asked
 // for random places of its hands.
 //
-//     reach_world [--robot NAME_OR_DIR] [--held] [--goals N] [--seed N] [--speed S] [--trace]
+//     reach_world [--robot NAME_OR_DIR] [--held] [--away M] [--goals N] [--seed N] [--speed S] [--trace]
 //
 // With --held every second goal picks: the hand arrives empty and holds a box, rod or ball of random size from then on, also while
 // the other hand moves; the next goal of the hand places it, and it is let go where it arrived.  The held thing rests on nothing.
+//
+// With --away goals are drawn from postures in which what carries the arm (a lift, a base on the plane) is moved too, a base by up to so
+// many metres along x and y and turned by any angle.
 //
 // Each goal is the hand of a random arm posture, the body leaning as balance asks, that keeps the planner's
 // least clearance and 3 mm, and that its joints can hold: so there is a posture that answers it.  Half are places, half whole poses.  They come one
@@ -134,11 +137,12 @@ Eigen::Isometry3d ground_of(const Model& model, const Kinematics& kinematics) {
 
 class World {
  public:
-  World(const Model& model, SplitMix64& random, std::uint64_t seed, double speed, bool holds, bool trace)
+  World(const Model& model, SplitMix64& random, std::uint64_t seed, double speed, bool holds, double away, bool trace)
       : model_(model),
         random_(random),
         speed_(speed),
         holds_(holds),
+        away_(away),
         trace_(trace),
         exact_(model, build_geometry(model)),
         collision_(model),
@@ -360,22 +364,30 @@ class World {
     const Hand& hand = model_.hands[side];
     const bool balances = model_.soles[0].link >= 0;
     Kinematics kinematics(model_);
-    collision_.check_only_moved_by(hand.joints);
-    MotionEffort effort(model_, now, hand.joints);
+    std::vector<int> moved = away_ > 0.0 ? hand.carriers : std::vector<int>{};
+    moved.insert(moved.end(), hand.joints.begin(), hand.joints.end());
+    collision_.check_only_moved_by(moved);
+    MotionEffort effort(model_, now, moved);
     std::optional<ArmGoal> drawn;
     for (int i = 0; i < kTries && !drawn; ++i) {
       Configuration there = now;
-      for (const int j : hand.joints) {
+      for (const int j : moved) {
         const Joint& joint = model_.joints[at(j)];
         const bool endless = joint.kind == JointKind::kContinuous;
-        there.q[j] = random_.uniform(endless ? -M_PI : joint.lower + kInside, endless ? M_PI : joint.upper - kInside);
+        double low = endless ? -M_PI : joint.lower + kInside, high = endless ? M_PI : joint.upper - kInside;
+        const auto plane = model_.plane_joints.begin();
+        if (!model_.plane_joints.empty() && (j == plane[0] || j == plane[1])) {
+          low = std::max(low, -away_);
+          high = std::min(high, away_);
+        }
+        there.q[j] = random_.uniform(low, high);
       }
       kinematics.update(there);
       if (balances) there.base.pretranslate(kinematics_.com() - kinematics.com());  // balance keeps it
       kinematics.update(there);
       if (nearest_of(collision_, kinematics, 0.05) < clear_) continue;
-      JointPoint arm(static_cast<int>(hand.joints.size()));
-      for (int k = 0; k < arm.size(); ++k) arm[k] = there.q[hand.joints[at(k)]];
+      JointPoint arm(static_cast<int>(moved.size()));
+      for (int k = 0; k < arm.size(); ++k) arm[k] = there.q[moved[at(k)]];
       if (!effort.holds(arm)) continue;  // an arm that falls from there is truly refused
       const Eigen::Isometry3d place = to_ground * kinematics.link_in_world(hand.link) * hand.frame;
       const Eigen::Quaterniond turn(place.linear());
@@ -458,7 +470,9 @@ class World {
   const Model& model_;
   SplitMix64& random_;
   double speed_;
-  bool holds_, trace_;
+  bool holds_;
+  double away_;  // that the base goes for a goal [m]; 0: it and what else carries an arm stay
+  bool trace_;
   SelfCollision exact_;
   Collision collision_;
   FclOracle oracle_;
@@ -480,11 +494,12 @@ class World {
 int run(int argc, char** argv) {
   Options options("reach_world", "Reachable goals for the hands of a robot among obstacles.");
   std::int64_t goals = 10, seed = 1;
-  double speed = 0.4;
+  double speed = 0.4, away = 0.0;
   bool holds = false, trace = false;
   std::string robot = "hrp1s";
   options.text("--robot", "NAME_OR_DIR", robot, "the robot");
   options.flag("--held", holds, "every second goal of a hand picks something, the next one places it");
+  options.number("--away", "M", away, 0.0, 100.0, "goals for an arm and what carries it, a base on the plane by so much");
   options.integer("--goals", "N", goals, 1, 100'000, "goals");
   options.integer("--seed", "N", seed, 0, 1'000'000'000, "of the world and its goals");
   options.number("--speed", "SHARE", speed, 0.05, 1.0, "of the joints' velocity limits");
@@ -493,7 +508,7 @@ int run(int argc, char** argv) {
   const Model model = load_robot(robot);
   SplitMix64 random(static_cast<std::uint64_t>(seed));
   Tally tally;
-  World world(model, random, random.next() >> 16, speed, holds, trace);
+  World world(model, random, random.next() >> 16, speed, holds, away, trace);
   int asked = 0;
   while (asked < goals && !world.fallen()) world.reach(asked++, tally);
   std::sort(tally.plan_ms.begin(), tally.plan_ms.end());

@@ -196,6 +196,9 @@ TEST(Anatomy, FingersOfAPalmAreNoArms) {
   EXPECT_LT(std::max(found.hands[0].link, found.hands[1].link), 0);
   ASSERT_FALSE(found.doubts.empty());
   EXPECT_EQ(found.doubts.front().find("a hand without an arm: 3 fingers on its base"), 0U) << found.doubts.front();
+  ASSERT_EQ(found.more_hands.size(), 3U);
+  EXPECT_EQ(found.more_hands[2].name, "finger_3");
+  EXPECT_GE(found.more_hands[2].joints.size(), 2U);
   // Arms as long as people's are arms.
   const auto says_hand = [](const Anatomy& anatomy) {
     return std::any_of(anatomy.doubts.begin(), anatomy.doubts.end(), [](const std::string& d) { return d.find("hand without") != std::string::npos; });

@@ -98,6 +98,24 @@ TEST(InverseKinematics, OutOfReachEndsAtTheNearestPosture) {
   EXPECT_NEAR(result.position_error, distance - 0.600, 2e-3);
 }
 
+TEST(InverseKinematics, AHeldJointStaysWhereItIs) {
+  const Model& model = hrp1s();
+  const Hand& hand = model.hands[0];
+  Eigen::VectorXd there = half_sitting(model);
+  for (const int j : hand.joints) there[j] += 0.2;
+  InverseKinematics ik(model, 0, hand.link, hand.frame);  // with the waist
+  const int waist = ik.joints().front();
+  const Eigen::Isometry3d target = ik.pose(there);
+  for (const int restarts : {0, 5}) {
+    for (const double place : {there[waist], 0.1}) {
+      ik.hold(waist, place);
+      Eigen::VectorXd q = half_sitting(model);
+      EXPECT_TRUE(ik.solve(target, {.rotation_weight = 0.0, .restarts = restarts}, q).reached);
+      EXPECT_EQ(q[waist], place);
+    }
+  }
+}
+
 TEST(InverseKinematics, NonsenseChangesNothing) {
   const Model& model = hrp1s();
   InverseKinematics ik(model, 0, model.soles[0].link, model.soles[0].frame);

@@ -76,7 +76,7 @@ MEANING = {
                     "spacing": "of a height map [m]"},
     "pushes[]": {"link": "name", "point": "in the link's frame [m]", "impulse": "in world [N s]", "force": "the same as impulse over duration, in world [N]", "at": AT, "duration": FOR, "for": "another word for duration"},
     "modes[]": {"at": AT, "mode": "as in mode_request_t", "motion": "in mode balance", "duration": "of a pose [s]", "amplitude": "of a motion [m]", "frequency": "of a motion [Hz]", "pose": "named pose, for mode pose"},
-    "goals[]": {"at": AT, "hand": "which", "speed": "share of the joint velocity limits", "pose": "named pose: the arm's joints of it", "cancel": "ends the motion under way",
+    "goals[]": {"at": AT, "hand": "left, right, or as robot.yaml calls an arm", "speed": "share of the joint velocity limits", "pose": "named pose: the arm's joints of it", "cancel": "ends the motion under way",
                 "position": "of the hand, ground frame [m]", "reach": "the same from the shoulder, in lengths of the stretched arm, for an arm of any size", "rpy_deg": "its turn too [degrees]; of a `reach` in lengths of an arm for axes whose z points away from the wrist"},
     "walks[]": {"at": AT, "for": FOR, "vx": "forward [m/s]", "vy": "left [m/s]", "wz": "turn left [rad/s]"},
     "pads[]": {"at": AT, "for": FOR, "left_x": "left stick, left positive", "left_y": "left stick, forward positive", "right_x": "right stick, left positive"},
