@@ -17,6 +17,7 @@ constexpr double kStopSlack = 1e-9;  // [rad or m]
 constexpr double kCalm = 0.03;  // [m/s^2.5]
 // Steps in parts of one size, at most: motion may be lively without an event.
 constexpr int kMostHeld = 16;
+constexpr double kGrows = 0.25;  // of the local error asked for: a part twice as long will hold it too
 
 }  // namespace
 
@@ -25,12 +26,13 @@ constexpr int kMostHeld = 16;
 // on for a while.
 bool ArticulatedWorld::advance_in_parts() noexcept {
   work_ = 0.0;
-  if (calm_ || ++held_ == kMostHeld) {
-    part_ = std::min(2 * part_, kEventParts);
+  const int parts = most_parts();
+  if (calm_ || (!(config_.local_error > 0.0) && ++held_ == kMostHeld)) {
+    part_ = std::min(2 * part_, parts);
     held_ = 0;
   }
-  for (int done = 0; done < kEventParts;) {
-    const double h = config_.step * part_ / kEventParts;
+  for (int done = 0; done < parts;) {
+    const double h = config_.step * part_ / parts;
     switch (extrapolated(h, part_ > 1)) {
       case Outcome::kFailed:
         return false;
@@ -40,7 +42,7 @@ bool ArticulatedWorld::advance_in_parts() noexcept {
         break;
       case Outcome::kTaken:
         done += part_;
-        if (grows_ && done < kEventParts && done % (2 * part_) == 0) part_ *= 2;
+        if (grows_ && done < parts && done % (2 * part_) == 0) part_ *= 2;
         break;
     }
   }
@@ -96,17 +98,24 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   }
   if (!smooth) {
     grows_ = false;
+    if (config_.local_error > 0.0) calm_ = false;
     if (!floats()) body_.place(configuration_);
     ++events_;
     work_ += work[at(config_.order - 1)];
     return Outcome::kTaken;
   }
+  const double others = loose_.extrapolate(config_.order);
+  const double allowed = config_.local_error * h;
+  if (allowed > 0.0 && may_reject && !(std::max(correction, others) <= allowed)) {
+    go_back(true);
+    return Outcome::kEvent;
+  }
   const double second = 2.0 * work[1] - work[0];
   work_ += config_.order == 2 ? second : (3.0 * (3.0 * work[2] - 2.0 * work[1]) - second) / 2.0;
   const double calm = kCalm * config_.step * std::sqrt(config_.step);
-  const double others = loose_.extrapolate(config_.order);
   calm_ = correction <= calm;
   grows_ = calm_ && others <= calm;
+  if (allowed > 0.0) calm_ = grows_ = std::max(correction, others) <= kGrows * allowed;
   airborne_ = airborne;
   place_after(momentum, h, 0.5);
   return Outcome::kTaken;

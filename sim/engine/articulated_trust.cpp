@@ -53,6 +53,7 @@ void ArticulatedWorld::keep_depths(double h) noexcept {
 double ArticulatedWorld::elastic_energy() const noexcept {
   double energy = loose_.asleep_energy();
   for (const Contact& c : contacts_) energy += loose_.asleep(c) ? 0.0 : stored_energy(c, last_h_);
+  for (const Contact& c : apart_.contacts) energy += stored_energy(c, apart_.h);
   return energy;
 }
 

@@ -49,6 +49,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
   reported_.reserve(at(2 * (loose_.most_contacts() + ties_.count())));
   pushes_.reserve(kMostPushes);
   deep_.reserve(contacts_.capacity());
+  begin_apart();
   if (config.contact == ContactModel::kSoft) soft_.emplace(model, config);
   configuration_.q.setZero();
   configuration_.qd.setZero();
@@ -82,7 +83,8 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
   }
   pushes_.clear();
   flight_.interrupt();
-  part_ = kEventParts;
+  part_ = apart_.part = most_parts();
+  apart_.contacts.clear();
   held_ = 0;
   calm_ = true;
   placed_ = true;
@@ -175,7 +177,8 @@ Status ArticulatedWorld::take_step() noexcept {
   if (fly()) return Status::kOk;
   start_ = configuration_;
   loose_.save();
-  const bool advanced = config_.order > 1 ? advance_in_parts() : advance_settled();
+  const bool in_parts = config_.order > 1, apart = config_.local_error > 0.0;
+  const bool advanced = apart ? advance_apart() : in_parts ? advance_in_parts() : advance_settled();
   solve_.hurry(false);
   if (!advanced) {
     configuration_ = start_;
@@ -356,7 +359,7 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
   int patience = kPatience;
   for (int pass = 0;; ++pass) {
     for (std::size_t j = 0; j < joints_.size(); ++j) rows_[j] = joints_[j].row();
-    ++solves_;
+    solves_ += pass_;
     do {
       if (!body_.inward(rows_, h) || !loose_.inward(h)) return false;
       body_.outward();
@@ -449,7 +452,7 @@ double ArticulatedWorld::encoder(int joint) const noexcept {
 }
 
 double ArticulatedWorld::work() const noexcept {
-  return static_cast<double>(solves_) + kNewtonWork * static_cast<double>(solve_.counters().newton);
+  return solves_ + kNewtonWork * static_cast<double>(solve_.counters().newton);
 }
 
 double ArticulatedWorld::tau(int joint) const noexcept { return joints_[at(joint)].tau(); }

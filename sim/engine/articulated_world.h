@@ -14,6 +14,9 @@
 // extrapolated (sim/articulated/richardson.h).  Where they disagree on what touches, slips or is limited, or
 // something comes to touch or to part, an event lies within: the step is taken in parts, down to a
 // sixteenth, of which the one with the event is left at order 1.  They grow again as it gets calm.
+// With config.local_error a step is also taken in parts, down to a 128th, until the last correction changes the
+// speed of no body by more than that times the part: what falls is stepped coarsely, its impact finely.  While nothing loose
+// is near the robot, it and the loose bodies have parts of their own (articulated_apart.cpp).
 //
 // With config.flight an explicit method of high order (sim/articulated/free_flight.h) takes the steps in which
 // nothing can touch and no servo is too stiff for it.
@@ -104,7 +107,8 @@ class ArticulatedWorld final : public World {
   };
 
   bool fly() noexcept;
-  static constexpr int kEventParts = 16;  // of a step, at most
+  static constexpr int kEventParts = 16, kLocalParts = 128;  // of a step, at most
+  int most_parts() const noexcept { return config_.local_error > 0.0 ? kLocalParts : kEventParts; }
   enum class Outcome { kTaken, kEvent, kFailed };
   Outcome advance(double h, bool may_reject, bool goes_on = true) noexcept;
   bool advance_settled() noexcept;
@@ -114,6 +118,11 @@ class ArticulatedWorld final : public World {
   bool crosses() const noexcept;
   bool within_stops() const noexcept;
   void go_back(bool moved) noexcept;
+  void begin_apart();
+  bool advance_apart() noexcept;
+  bool advance_loose_in_parts() noexcept;
+  Outcome extrapolate_loose(double h, bool may_reject) noexcept;
+  Outcome advance_loose(double h, bool may_reject) noexcept;
   bool solve_step(double h) noexcept;
   void place_after(Momentum momentum, double h, double before) noexcept;
   bool touched(bool fixed) const noexcept;
@@ -157,11 +166,22 @@ class ArticulatedWorld final : public World {
   Configuration configuration_, start_;
   std::array<Configuration, 2> coarse_;
   Configuration next_;
-  int part_ = kEventParts;  // of kEventParts: what is taken of a step at once
+  int part_ = most_parts();  // of most_parts(): what is taken of a step at once
   int held_ = 0;            // steps in which it has not grown
   bool calm_ = true;        // it may
   bool grows_ = false;      // within the step too
-  long solves_ = 0;         // passes over the links
+  // The same of the loose bodies by themselves, and what their last solve left.
+  struct Apart {
+    bool now = false;  // the last step was taken so
+    int part = 0;
+    bool calm = true;
+    double share = 0.0;  // of the links of the world that are theirs
+    std::vector<Contact> contacts;
+    std::vector<DeepPair> deep;
+    double h = 0.0;
+  } apart_;
+  double solves_ = 0.0;     // passes over the links
+  double pass_ = 1.0;       // of all links, what a pass of the robot is over
   long joint_passes_ = 0;
   long unsettled_ = 0;
   long unconverged_ = 0;

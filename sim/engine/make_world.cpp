@@ -37,6 +37,9 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
     throw std::runtime_error(std::string(config.engine == Engine::kMujoco ? "engine mujoco" : "contact soft") +
                              " has no contact.rolling_friction or contact.torsional_friction here; leave them out");
   }
+  if (config.local_error > 0.0 && (config.engine != Engine::kArticulated || config.order < 2)) {
+    throw std::runtime_error("solver.local_error is of engine articulated at solver.order 2 or 3; leave it out, or set the order");
+  }
   if (config.twin) return std::make_unique<TwinnedWorld>(model, config);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
   if (config.engine != Engine::kArticulated && (config.asleep || !config.untouched.empty() || !config.aloft.empty())) {

@@ -298,6 +298,12 @@ bool LooseContacts::away_from(const Eigen::AlignedBox3d& box, const std::vector<
   return true;
 }
 
+bool LooseContacts::away_from_robot(const std::vector<ArticulatedBody*>& systems, double h) noexcept {
+  place_all(systems);
+  find_alone(h);
+  return alone_[0] != 0;
+}
+
 // Seen from the first robot: what flies along with it does not come nearer.
 void LooseContacts::find_alone(double h) noexcept {
   Eigen::Vector3d along = Eigen::Vector3d::Zero();

@@ -43,8 +43,9 @@ class LooseContacts {
   // Appends contacts as far as their capacity goes, always in the same order.  away: after away_from(), of the loose bodies alone.
   // Wakes what is asleep and touched.
   void find(const std::vector<ArticulatedBody*>& systems, double h, std::vector<Contact>& contacts, bool away = false) noexcept;
-  // Whether no loose body comes near that box in the next h [s].
+  // Whether no loose body comes near that box, or the robot, in the next h [s].
   bool away_from(const Eigen::AlignedBox3d& box, const std::vector<ArticulatedBody*>& systems, double h) noexcept;
+  bool away_from_robot(const std::vector<ArticulatedBody*>& systems, double h) noexcept;
   double extent(int link) const noexcept;  // nothing of that link of the robot is further from its origin [m]
   // After the solve of a step h, the systems still as they were at its start.
   void remember(const std::vector<ArticulatedBody*>& systems, const std::vector<Contact>& contacts,
@@ -70,7 +71,6 @@ class LooseContacts {
   void fall_asleep(const std::vector<int>& heap, const std::vector<ArticulatedBody*>& systems,
                    const std::vector<Contact>& contacts, double h) noexcept;
   double asleep_energy() const noexcept;  // of the springs that hold what is asleep [J]
-
   // Loose contacts have keys from here on.
   static constexpr int kFirstKey = 1 << 24;
   // Those of points of triangles, so many for each pair of pieces.

@@ -83,6 +83,9 @@ bool LooseContacts::wake_touched(std::size_t first, Search& search) noexcept {
 void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h, std::vector<Contact>& contacts,
                          bool away) noexcept {
   if (!away) place_all(systems);
+  for (std::size_t i = 0; away && i < loose_; ++i) {
+    if (!asleep(pieces_[i].system)) place(i, i + 1, systems);
+  }
   Search search{systems, h, contacts};
   const std::size_t first = contacts.size();
   find_once(search, away);

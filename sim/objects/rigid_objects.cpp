@@ -92,11 +92,13 @@ void LooseBodies::place(std::size_t body) noexcept {
 }
 
 void LooseBodies::place_all() noexcept {
+  if (out_) return;
   robots_.place_all();
   for (std::size_t i = 0; i < bodies_.size(); ++i) place(i);
 }
 
 bool LooseBodies::inward(double h) noexcept {
+  if (out_) return true;
   bool sound = robots_.inward(h);
   for (std::size_t i = 0; i < articulated_.size(); ++i)
     sound = (asleep(i) || articulated_[i].inward(no_rows_, h)) && sound;
@@ -104,6 +106,7 @@ bool LooseBodies::inward(double h) noexcept {
 }
 
 void LooseBodies::outward() noexcept {
+  if (out_) return;
   robots_.outward();
   for (std::size_t i = 0; i < articulated_.size(); ++i) {
     if (!asleep(i)) articulated_[i].outward();
@@ -112,7 +115,7 @@ void LooseBodies::outward() noexcept {
 
 bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
                           double share) noexcept {
-  if (empty()) return true;
+  if (empty() || out_) return true;
   contacts_.remember(systems_, contacts, h);
   if (!robots_.advance(contacts, count() + 1, h, share)) return false;
   for (Body& body : bodies_) body.touched = false;
@@ -210,30 +213,36 @@ void LooseBodies::fly(std::size_t index, double h) noexcept {
 }
 
 void LooseBodies::save() noexcept {
+  if (out_) return;
   contacts_.save();
   robots_.save();
   for (Body& body : bodies_) {
     body.start = body.now;
+    body.still_before = body.still;
     body.ever = false;
   }
 }
 
 void LooseBodies::restore() noexcept {
+  if (out_) return;
   contacts_.restore();
   robots_.restore();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].now = bodies_[i].start;
+    bodies_[i].still = bodies_[i].still_before;
     place(i);
   }
 }
 
 void LooseBodies::keep_coarse(int which) noexcept {
+  if (out_) return;
   robots_.keep_coarse(which);
   for (Body& body : bodies_) body.coarse[at(which)] = body.now;
 }
 
 // What has touched nothing is better as it is.
 double LooseBodies::extrapolate(int order) noexcept {
+  if (out_) return 0.0;
   double correction = robots_.extrapolate(order);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Body& body = bodies_[i];

@@ -48,13 +48,17 @@ class LooseBodies {
   void sleep_on() noexcept { contacts_.sleep_on(); }  // a step has ended
   bool asleep(std::size_t body) const noexcept { return contacts_.asleep(static_cast<int>(body) + 1); }
   bool asleep(const Contact& c) const noexcept { return contacts_.asleep(c.system) || contacts_.asleep(c.other_system); }
+  // From now on the bodies are as if there were none, until they are let in again: the robot is stepped by itself.
+  void leave_out(bool out) noexcept { out_ = out; }
   // Appends their contacts.
   void find(double h, std::vector<Contact>& contacts) noexcept {
+    if (out_) return;
     robots_.find(count() + 1, h, contacts);
     contacts_.find(systems_, h, contacts);
   }
   // Whether none of them comes near that box, in which the robot is, in the next h [s]; then the contacts they have without it.
   bool away_from(const Eigen::AlignedBox3d& robot, double h) noexcept { return contacts_.away_from(robot, systems_, h); }
+  bool away_from_robot(double h) noexcept { return contacts_.away_from_robot(systems_, h); }
   void find_alone(double h, std::vector<Contact>& contacts) noexcept { contacts_.find(systems_, h, contacts, true); }
   double extent(int link) const noexcept { return contacts_.extent(link); }  // nothing of that link of the robot is further from its origin [m]
   // A contact so deep that its bodies may soon be pushed apart the other way.
@@ -85,12 +89,14 @@ class LooseBodies {
     bool touched = false;     // in the last step
     bool ever = false;        // since save()
     int still = 0;            // smooth steps in which it touched and hardly moved, one after the other
+    int still_before = 0;     // at save()
     double radius = 0.0;      // [m]
     double quiet = 0.0;       // it has touched and stood so long [s]
     bool tied = false;        // never asleep
     bool slept = false;       // after the last step
   };
 
+  bool out_ = false;
   int heap_of(int system) noexcept;
   void place(std::size_t body) noexcept;
   void land(std::size_t body, double h) noexcept;

@@ -63,6 +63,10 @@ const Entry kEntries[] = {
     {"solver.order", 1.0, 3.0,
      "of accuracy; 2 and 3 (engine articulated) take 3 and 6 solves a step",
      [](SimSettings& s, double v, double) { s.world.order = static_cast<int>(std::lround(v)); }},
+    {"solver.local_error", 0.0, 1e3,
+     "orders 2 and 3 (engine articulated) take a step in parts, down to a 128th, so fine that none makes a speed wrong by more than this "
+     "times its length [m/s^2]; 0: where events lie only",
+     [](SimSettings& s, double v, double) { s.world.local_error = v; }},
     {"solver.flight", 0.0, 4.0,
      "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8, 4: "
      "Gauss "

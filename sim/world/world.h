@@ -86,7 +86,7 @@ struct WorldConfig {
   double step = 0.002;  // [s]
   int order = 1;        // of accuracy in the step; 2, 3: engine articulated only, 3, 6 solves
   Flight flight = Flight::kImplicit;
-  double flight_error = 0.0;  // of speeds after each part of a step of kGauss8 [rad/s]; 0: one part
+  double flight_error = 0.0, local_error = 0.0;  // of speeds after a part of a step of kGauss8 [rad/s]; in each second of one of order 2, 3 [m/s^2]; 0: whole
   bool fixed_base = false;
   double mass_scale = 1.0;                        // of every link, inertia too
   double friction_scale = 1.0;                    // of the joints' Coulomb friction and damping

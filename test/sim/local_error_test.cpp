@@ -1,4 +1,5 @@
-// What steps are off is said in the step in which it becomes too much, and nothing is said of what is right.
+// What steps are off is said in the step in which it becomes too much, and nothing is said of what is right; parts of steps that are
+// chosen by it.
 
 #include "sim/engine/local_error.h"
 
@@ -6,11 +7,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "both_engines.h"
+#include "common/allocation/no_alloc.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "sim/engine/articulated_world.h"
 #include "sim/step_watch.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -200,6 +207,116 @@ TEST(LocalError, WhatFallsFreelyIsNotOff) {
     v[0].z() = 0.0;  // it strikes the ground
     EXPECT_TRUE(error.add(v, {}, false));
   }
+}
+
+constexpr double kFall = 1.0;
+
+// A tilted brick that falls from half a metre, and bounces.
+WorldConfig falls(double step, int order, double local) {
+  WorldConfig config = test::stepped(step, order);
+  config.local_error = local;
+  Eigen::Isometry3d start = Eigen::Isometry3d::Identity();
+  start.translation().z() = 0.5;
+  start.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d(0.3, 1.0, 0.2).normalized()).toRotationMatrix();
+  config.loose = {test::loose_box("brick", 2.0, {0.2, 0.1, 0.06}, start, 1e5, 60.0)};
+  return config;
+}
+
+struct Fall {
+  std::vector<Eigen::Vector3d> at;  // every 20 ms
+  double work = 0.0;                // [solves]
+};
+
+Fall fall(const WorldConfig& config) {
+  ArticulatedWorld world(test::bystander(), config);
+  EXPECT_EQ(world.set(Configuration(test::bystander())), Status::kOk);
+  Fall fall;
+  const long steps = std::lround(kFall / config.step), every = std::lround(0.02 / config.step);
+  for (long i = 1; i <= steps; ++i) {
+    EXPECT_EQ(world.step(), Status::kOk);
+    if (i % every == 0) fall.at.push_back(world.loose(0).pose.translation());
+  }
+  fall.work = world.work();
+  return fall;
+}
+
+double apart(const Fall& a, const Fall& b) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < a.at.size(); ++i) most = std::max(most, (a.at[i] - b.at[i]).norm());
+  return most;
+}
+
+TEST(LocalParts, AFallIsSteppedCoarselyAndItsImpactFinely) {
+  const Fall converged = fall(falls(1e-5, 3, 0.0));
+  double before = 1.0;
+  for (const double local : {10.0, 3.0, 0.3}) {
+    const Fall parts = fall(falls(2e-3, 3, local));
+    const double off = apart(parts, converged);
+    EXPECT_LT(off, before);
+    before = off;
+    // No fixed step that is as near takes as little work.
+    int nearer = 0;
+    for (const int order : {2, 3}) {
+      for (const double step : {2e-3, 1e-3, 5e-4, 2e-4, 1e-4}) {
+        const Fall fixed = fall(falls(step, order, 0.0));
+        if (!(apart(fixed, converged) <= off)) continue;
+        ++nearer;
+        EXPECT_GT(fixed.work, (local < 1.0 ? 4.0 : 1.0) * parts.work) << local << " against order " << order << " at " << step;
+      }
+    }
+    EXPECT_GT(nearer, 0);
+  }
+  EXPECT_LT(before, 6e-4);
+}
+
+// Where the error asked for is never reached, nothing is divided that is smooth.
+TEST(LocalParts, AnErrorThatIsWideAllowsWholeSteps) {
+  WorldConfig wide = falls(2e-3, 2, 1e3);
+  wide.loose[0].start.pose.translation().z() = 8.0;  // it does not land
+  WorldConfig whole = wide;
+  whole.local_error = 0.0;
+  const Fall a = fall(wide), b = fall(whole);
+  EXPECT_LE(a.work, b.work * (1.0 + 1e-9));
+  EXPECT_EQ(apart(a, b), 0.0);
+}
+
+// Links that may touch one another keep the robot in the one solve of all.
+TEST(LocalParts, ARobotThatStandsIsNotDividedForWhatFallsBesideIt) {
+  const Model model = test::block();
+  double work[2], height[2];
+  Eigen::Vector3d brick[2];
+  for (const bool together : {false, true}) {
+    WorldConfig config = falls(2e-3, 3, 0.3);
+    config.self_contact = together;
+    config.loose[0].start.pose.translation().x() = 1.0;
+    ArticulatedWorld world(model, config);
+    ASSERT_EQ(world.set(test::standing_block(model)), Status::kOk);
+    ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+    test::step_without_allocation(world, 300);  // meanwhile it has come down
+    work[together] = world.work();
+    height[together] = world.link_in_world(0).translation().z();
+    brick[together] = world.loose(0).pose.translation();
+  }
+  EXPECT_LT(work[0], 0.8 * work[1]);
+  EXPECT_NEAR(height[0], height[1], 1e-6);
+  EXPECT_LT((brick[0] - brick[1]).norm(), 1e-4);
+}
+
+TEST(LocalParts, ARunRepeatsItselfAndAllocatesNothing) {
+  const WorldConfig config = falls(2e-3, 3, 0.3);
+  EXPECT_EQ(apart(fall(config), fall(config)), 0.0);
+  ArticulatedWorld world(test::bystander(), config);
+  ASSERT_EQ(world.set(Configuration(test::bystander())), Status::kOk);
+  test::step_without_allocation(world, 300);
+}
+
+TEST(LocalParts, WhatCannotHaveThemIsRefused) {
+  WorldConfig config = falls(2e-3, 1, 0.3);
+  EXPECT_THROW((void)make_world(test::bystander(), config), std::runtime_error);
+  config.order = 2;
+  EXPECT_NO_THROW((void)make_world(test::bystander(), config));
+  config.engine = Engine::kOde;
+  EXPECT_THROW((void)make_world(test::bystander(), config), std::runtime_error);
 }
 
 }  // namespace
