@@ -234,6 +234,7 @@ class World {
 
  private:
   std::size_t random_hand() {
+    if (!model_.more_hands.empty()) return 2 + random_.next() % model_.more_hands.size();
     const std::size_t side = random_.next() % 2;
     return model_.hands[side].link >= 0 ? side : 1 - side;
   }
@@ -245,7 +246,7 @@ class World {
                                                : shape(ObstacleShape::kBox, {random_.uniform(0.03, 0.1), random_.uniform(0.03, 0.1), random_.uniform(0.05, 0.25)}, {0.0, 0.0, 0.0});
     thing.hand = static_cast<int>(hand);
     // Away from the middle of the hand's link, its end at the hand's frame.
-    const Hand& by = model_.hands[hand];
+    const Hand& by = *hand_of(model_, static_cast<int>(hand));
     const std::vector<Eigen::Vector3d> points = link_points(model_.links[at(by.link)]);
     Eigen::Vector3d out = by.frame.translation();
     for (const Eigen::Vector3d& point : points) out -= point / static_cast<double>(points.size());
@@ -297,7 +298,7 @@ class World {
   Surroundings around_arm(const Kinematics& kinematics) const {
     Surroundings about;
     if (model_.soles[0].link >= 0) return about;
-    const Hand& hand = model_.hands[model_.hands[1].link >= 0 ? 1 : 0];
+    const Hand& hand = *hand_of(model_, 1);
     const ArmSpan arm = arm_span(kinematics, hand);
     return {arm.shoulder, arm.length};
   }
@@ -358,10 +359,10 @@ class World {
     const Eigen::Isometry3d to_ground = ground_of(model_, kinematics_).inverse();
     const Configuration now = posture_;
     ArmGoal goal;
-    goal.side = side == 0 ? ArmSide::kLeft : ArmSide::kRight;
+    goal.side = static_cast<ArmSide>(side + 1);
     goal.kind = number % 2 == 0 ? ArmGoalKind::kPosition : ArmGoalKind::kPose;
     goal.speed = static_cast<float>(speed_);
-    const Hand& hand = model_.hands[side];
+    const Hand& hand = *hand_of(model_, static_cast<int>(side));
     const bool balances = model_.soles[0].link >= 0;
     Kinematics kinematics(model_);
     std::vector<int> moved = away_ > 0.0 ? hand.carriers : std::vector<int>{};
@@ -438,7 +439,7 @@ class World {
 
   void error_of(const ArmGoal& goal, double& miss, double& angle) {
     look();
-    const Hand& hand = model_.hands[goal.side == ArmSide::kLeft ? 0 : 1];
+    const Hand& hand = *hand_of(model_, number_of(goal.side));
     const Eigen::Isometry3d is = ground_of(model_, kinematics_).inverse() *
                                  kinematics_.link_in_world(hand.link) * hand.frame;
     miss =
@@ -479,7 +480,7 @@ class World {
   Kinematics kinematics_;
   Configuration posture_;
   std::vector<Obstacle> obstacles_;
-  std::array<Obstacle, 2> held_;
+  std::array<Obstacle, kMostHands> held_;
   std::vector<CollisionPair> held_pairs_;
   std::int64_t holds_said_ = 0;
   std::vector<double>* plan_ms_ = nullptr;
@@ -506,6 +507,8 @@ int run(int argc, char** argv) {
   options.flag("--trace", trace, "a line for every goal");
   options.parse(argc, argv);
   const Model model = load_robot(robot);
+  if (hands_of(model).empty()) throw std::runtime_error("reach_world: " + model.name + " has no hand (robot.yaml, hands)");
+  if (holds && !model.more_hands.empty()) throw std::runtime_error("reach_world: --held is for a left and a right hand");
   SplitMix64 random(static_cast<std::uint64_t>(seed));
   Tally tally;
   World world(model, random, random.next() >> 16, speed, holds, away, trace);
