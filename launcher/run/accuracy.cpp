@@ -100,7 +100,7 @@ void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& 
 
 Fingerprint ladder_key(const Model& model, const Scene& scene, const OneProcessConfig& config, const AccuracyRequest& request) {
   FingerprintMaker maker;
-  maker.add("ladder 8").add(static_cast<int>(simd()));
+  maker.add("ladder 9").add(static_cast<int>(simd()));
   add_this_program(maker);
   maker.add(scene.text).add(scene.engine).add(scene.robot).add(scene.start_pose).add(scene.origin.x()).add(scene.origin.y());
   add_robot(maker, model);
@@ -186,8 +186,7 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
                        words_of(rung.less).c_str(), rung.cost, 1e3 * rung.apart);
           return;
         }
-        std::fprintf(stderr, "accuracy: order %d at %.3g ms, %.2f ms of physics per second%s\n",
-                     rung.order, 1e3 * rung.step, rung.cost,
+        std::fprintf(stderr, "accuracy: %s, %.2f ms of physics per second%s\n", words_of(rung).c_str(), rung.cost,
                      std::isfinite(so_far.agreement) && &rung == &so_far.rungs.back() && rung.order == 3
                          ? formatted("; the finest two agree to %.3g mm", 1e3 * so_far.agreement).c_str()
                          : "");
@@ -205,8 +204,7 @@ std::string accuracy_line(const AccuracyChoice& choice, const AccuracyRequest& a
   std::string line = "accuracy: ";
   if (choice.chosen() != nullptr) {
     const Rung& rung = *choice.chosen();
-    line += formatted("order %d at %.3g ms, error %.3g mm", rung.order, 1e3 * rung.step,
-                      1e3 * choice.ladder.estimate(at(choice.rung)));
+    line += words_of(rung) + formatted(", error %.3g mm", 1e3 * choice.ladder.estimate(at(choice.rung)));
     if (asked.error > 0.0) line += formatted(" of %.3g mm asked", 1e3 * asked.error);
     line += formatted(", physics %.2f ms/s; ", cost);
     if (!rung.less.none()) line += words_of(rung.less) + "; ";
@@ -229,6 +227,7 @@ std::string accuracy_json(const AccuracyChoice& choice, const AccuracyRequest& a
     json["error_estimate_m"] = number(choice.ladder.estimate(at(choice.rung)));
     json["order"] = rung.order;
     json["step_s"] = rung.step;
+    json["local_error_m_s2"] = rung.local > 0.0 ? number(rung.local) : nlohmann::ordered_json();
     json["held_joints"] = rung.less.held;
     json["rigid_robots"] = rung.less.rigid;
     json["still"] = rung.less.still;

@@ -22,15 +22,13 @@ constexpr double kEvery = 0.02;        // between two looks at a run [s]
 constexpr double kLies = 1e-5;         // of kEvery a loose body that lies still moves no farther [m]
 constexpr double kTwin = 1e-12;        // relative, and [m]
 constexpr double kParted = 1e-6;       // [m]: what converges parts by less than 1e-8
-constexpr double kMargin = 1.3;        // of the error asked for
-constexpr double kSure = 0.97;         // of it may be used up where two methods say how well the yardstick is known
-constexpr double kAgreement = 2.0;     // of it the finest two runs agree to so small a part
-constexpr double kSecond = 3.0;        // times it order 2 may be off where they do
 constexpr double kWide = 1.6;          // two steps of which one is so many times the other have room for one between
 constexpr double kAlike = 1.1;         // two runs of which one is at most so many times the work of the other
 constexpr int kMostBetween = 4;        // steps between those of a ladder
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
+constexpr double kLocal[] = {30.0, 10.0, 3.0, 1.0, 0.3, 0.1, 0.03, 0.01};  // errors of parts [m/s^2]
+constexpr double kDear = 2.0;  // times the work of what is chosen: the next such run will be dearer still
 
 constexpr double kFinest = 1.0 / kParts[std::size(kParts) - 1];
 
@@ -160,92 +158,27 @@ Apart distance(const Track& a, const Track& b) {
   return apart;
 }
 
-double Ladder::estimate(std::size_t rung) const {
-  return rung + 1 == rungs.size() ? agreement : rungs[rung].apart;
-}
-
-namespace {
-bool same_method(const Rung& a, const Rung& b) { return a.order == b.order && a.less == b.less; }
-
-// The run of order 2 with the finest step that models everything; null: there is none.
-const Rung* finest_second(const std::vector<Rung>& rungs) {
-  const Rung* finest = nullptr;
-  for (const Rung& rung : rungs) {
-    if (rung.order == 2 && rung.less.none() && (finest == nullptr || rung.step < finest->step)) finest = &rung;
-  }
-  return finest;
-}
-}  // namespace
-
-bool Ladder::proven(double error) const {
-  if (!parted.empty() || !(agreement <= error / kAgreement)) return false;
-  const Rung* second = finest_second(rungs);
-  return second == nullptr || second->apart <= kSecond * error;
-}
-
-std::string Ladder::why_none_holds(double error) const {
-  const Rung* off = nullptr;
-  std::string why;
-  if (const Rung* second = finest_second(rungs); agreement <= error / kAgreement && second != nullptr && !proven(error)) {
-    off = second;
-    why = formatted(
-        "no order and step holds %.3g mm: order 2 at %.3g ms is off by %.3g mm while the finest two runs agree to %.3g mm",
-        1e3 * error, 1e3 * off->step, 1e3 * off->apart, 1e3 * agreement);
-  } else {
-    const auto other = std::find_if(rungs.begin(), rungs.end(), [&](const Rung& rung) { return rung.apart == agreement; });
-    if (other != rungs.end()) off = &*other;
-    why = formatted("no order and step holds %.3g mm: the finest two runs differ by %.3g mm", 1e3 * error, 1e3 * agreement);
-  }
-  if (off != nullptr && !off->body.empty()) why += ", " + off->body + formatted(" at %.2f s", off->at);
-  return why;
-}
-
-double Ladder::allowed(double error) const {
-  const Rung* second = finest_second(rungs);
-  const double known = second == nullptr ? kInfinity : agreement + second->apart;
-  return std::max(error / kMargin, kSure * error - known);
-}
-
-bool Ladder::holds(const Rung& rung, double error) const {
-  const double most = allowed(error);
-  return std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
-    if (!same_method(finer, rung) || finer.step > rung.step) return true;
-    return finer.whole && finer.apart <= most;
-  });
-}
-
-int Ladder::choose(double error) const {
-  if (!proven(error)) return -1;
-  int best = -1;
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
-    if (!rungs[i].less.none() || !holds(rungs[i], error)) continue;
-    if (best < 0 || rungs[i].work < rungs[at(best)].work) best = static_cast<int>(i);
-  }
-  for (std::size_t i = 0; i < rungs.size() && best >= 0; ++i) {
-    if (!rungs[i].less.none() && holds(rungs[i], error) && rungs[i].cost < rungs[at(best)].cost) best = static_cast<int>(i);
-  }
-  return best;
-}
-
-int Ladder::choose_within(double budget) const {
-  int best = -1;
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
-    if (!rungs[i].whole || !(rungs[i].cost <= budget)) continue;
-    if (best < 0 || estimate(i) < estimate(at(best))) best = static_cast<int>(i);
-  }
-  return best;
-}
-
-Scene at_rung(const Scene& scene, int order, double step) {
+Scene at_rung(const Scene& scene, int order, double step, double local) {
   Scene changed = scene;
   changed.step = step;
-  std::erase_if(changed.settings, [](const auto& each) { return each.first == "solver.order"; });
+  drop_method(changed.settings);
   if (order > 1) changed.settings.emplace_back("solver.order", std::to_string(order));
+  if (local > 0.0) changed.settings.emplace_back("solver.local_error", formatted("%.9g", local));
   return changed;
 }
 
 Scene at_rung(const Scene& scene, const Rung& rung) {
-  return without(at_rung(scene, rung.order, rung.step), rung.less);
+  return without(at_rung(scene, rung.order, rung.step, rung.local), rung.less);
+}
+
+void drop_method(std::vector<std::pair<std::string, std::string>>& settings) {
+  std::erase_if(settings, [](const auto& each) { return each.first == "solver.order" || each.first == "solver.local_error"; });
+}
+
+std::string words_of(const Rung& rung) {
+  std::string words = formatted("order %d at %.4g ms", rung.order, 1e3 * rung.step);
+  if (rung.local > 0.0) words += formatted(" in parts, local error %.3g m/s^2", rung.local);
+  return words;
 }
 
 namespace {
@@ -335,7 +268,7 @@ int parts_between(const Ladder& ladder, double error, double period, int& order)
   for (order = 1; order <= ladder.rungs.back().order; ++order) {
     std::vector<const Rung*> runs;  // from coarse to fine
     for (const Rung& rung : ladder.rungs) {
-      if (rung.order == order && rung.less.none()) runs.push_back(&rung);
+      if (rung.order == order && rung.less.none() && !(rung.local > 0.0)) runs.push_back(&rung);
     }
     std::sort(runs.begin(), runs.end(), [](const Rung* a, const Rung* b) { return a->step > b->step; });
     for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
@@ -366,11 +299,41 @@ void add_between(const LadderRequest& request, const Run& run, double period, co
 
 }  // namespace
 
+bool falls_alone(const Scene& scene) {
+  return scene.engine == "articulated" && !scene.loose.empty() && scene.modes.size() <= 1 && scene.walks.empty() &&
+         scene.steps.empty() && scene.motions.empty() && scene.goals.empty() && scene.pads.empty();
+}
+
+namespace {
+
+// Steps of a control period in parts chosen by their local error, ever finer until two in a row hold the error.
+template <class Run>
+void add_local(const LadderRequest& request, const Run& run, double period, const Scene& scene, const Track& yardstick,
+               Ladder& ladder) {
+  for (int order = 2; order <= ladder.rungs.back().order; ++order) {
+    bool held = false;
+    for (const double local : kLocal) {
+      const int chosen = ladder.choose(request.error);
+      if ((chosen < 0 && !request.all) || quit_requested()) return;
+      const double most = chosen < 0 ? kInfinity : kDear * ladder.rungs[at(chosen)].work;
+      Rung rung = rung_of(order, period, run(at_rung(scene, order, period, local)), yardstick, request.duration);
+      rung.local = local;
+      ladder.rungs.insert(ladder.rungs.end() - 1, rung);
+      if (request.progress) request.progress(ladder, rung);
+      const bool holds = rung.whole && rung.apart <= ladder.allowed(request.error);
+      if (!request.all && ((held && holds) || rung.work > most)) break;
+      held = holds;
+    }
+  }
+}
+
+}  // namespace
+
 Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& config,
              const LadderRequest& request) {
   OneProcessConfig quiet = config;
   quiet.listener = nullptr;
-  std::erase_if(quiet.settings, [](const auto& each) { return each.first == "solver.order"; });
+  drop_method(quiet.settings);
   const int orders = scene.engine == "articulated" ? 3 : 1;
   Ladder ladder;
   std::vector<Track> tracks;
@@ -423,6 +386,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
     }
   }
   add_between(request, run, model.period(), scene, tracks.back(), ladder);
+  if (falls_alone(scene)) add_local(request, run, model.period(), scene, tracks.back(), ladder);
   ladder.moved = tracks.back().moved;
   if (request.less) leave_out(model, request, run, scene, tracks.back(), ladder);
   return ladder;
@@ -442,6 +406,7 @@ std::string ladder_table(const Ladder& ladder, int chosen) {
     } else {
       table += formatted("%s at %.2f s", r.body.c_str(), r.at);
     }
+    if (r.local > 0.0) table += formatted("; in parts, local error %.3g m/s^2", r.local);
     if (!r.less.none()) table += "; " + words_of(r.less);
     table += '\n';
   }

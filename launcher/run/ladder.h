@@ -16,6 +16,10 @@
 // With `fidelity: auto` what hardly moved in the yardstick is then left out of the run that was chosen (less.h), the most
 // that still holds the error, at that step and at the next finer one.
 //
+// Where nobody drives the robot and something is loose, steps of a control period whose parts are chosen by their local error (setting
+// solver.local_error) are further rungs, ever finer ones until two in a row hold the error: a fall is then stepped coarsely and its
+// impact finely.  Such a run holds an error only together with a finer one.
+//
 // The error is the largest distance of any link origin or loose body from the yardstick, every 20 ms.
 
 #pragma once
@@ -23,6 +27,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "launcher/run/less.h"
@@ -57,6 +62,7 @@ Apart distance(const Track& a, const Track& b);
 struct Rung {
   int order = 1;
   double step = 0.0;     // [s]
+  double local = 0.0;    // error by which its parts are chosen [m/s^2]; 0: they are not
   double cost = 0.0;     // CPU of the physics [ms per simulated s]
   double work = 0.0;     // of the engine [solves per simulated s]
   double apart = 0.0;    // from the yardstick [m]
@@ -116,8 +122,16 @@ std::string ladder_text(const Ladder& ladder);
 bool read_ladder(const std::string& text, Ladder& ladder);
 
 // The scene as that rung runs it.
-Scene at_rung(const Scene& scene, int order, double step);
+Scene at_rung(const Scene& scene, int order, double step, double local = 0.0);
 Scene at_rung(const Scene& scene, const Rung& rung);
+// Settings without what a rung decides.
+void drop_method(std::vector<std::pair<std::string, std::string>>& settings);
+
+// "order 3 at 2 ms", and by which local error its parts are chosen.
+std::string words_of(const Rung& rung);
+
+// Nobody drives the robot and something is loose: it falls for long and hits for short.
+bool falls_alone(const Scene& scene);
 
 // For people: a line for each rung.
 std::string ladder_table(const Ladder& ladder, int chosen);

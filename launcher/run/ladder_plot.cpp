@@ -25,17 +25,22 @@ struct Range {
   double share(double x) const { return high > low ? (std::log10(x) - low) / (high - low) : 0.5; }
 };
 
+constexpr int kInParts = 4;  // a marker beside those of the orders
+
 std::string text_of(const char* format, double x) {
   char text[80];
   std::snprintf(text, sizeof text, format, x);
   return text;
 }
 
-// Order 1: a circle, 2: a square, 3: a triangle.
+// Order 1: a circle, 2: a square, 3: a triangle; 4: a diamond for parts chosen by their local error.
 std::string marker(int order, double x, double y, bool hollow) {
   const std::string fill = hollow ? "fill=\"white\" stroke=\"black\"" : "fill=\"black\" stroke=\"black\"";
   if (order == 1) return "<circle cx=\"" + svg_number(x) + "\" cy=\"" + svg_number(y) + "\" r=\"4\" " + fill + "/>\n";
   if (order == 2) return svg_box(x - 4.0, y - 4.0, 8.0, 8.0, fill);
+  if (order == kInParts)
+    return "<polygon points=\"" + svg_number(x) + "," + svg_number(y - 6.0) + " " + svg_number(x + 6.0) + "," + svg_number(y) + " " +
+           svg_number(x) + "," + svg_number(y + 6.0) + " " + svg_number(x - 6.0) + "," + svg_number(y) + "\" " + fill + "/>\n";
   const auto corner = [](double at_x, double at_y) { return svg_number(at_x) + "," + svg_number(at_y) + " "; };
   return "<polygon points=\"" + corner(x, y - 5.5) + corner(x + 5.0, y + 4.0) + corner(x - 5.0, y + 4.0) + "\" " + fill + "/>\n";
 }
@@ -75,17 +80,18 @@ std::string front_svg(const std::string& title, const Ladder& ladder, int chosen
     svg += svg_line(kLeft, y, kLeft + kWidth, y, "stroke=\"black\" stroke-width=\"1.5\" stroke-dasharray=\"10 3 2 3\"");
     svg += svg_text(kLeft + kWidth - 6.0, y - 6.0, "asked: " + text_of("%.4g mm", 1e3 * error), "text-anchor=\"end\"");
   }
+  const auto kind_of = [](const Rung& rung) { return rung.local > 0.0 ? kInParts : rung.order; };
   for (int order = 1; order <= 3; ++order) {
     std::string points;
     for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
-      if (drawn(i) && ladder.rungs[i].order == order && ladder.rungs[i].less.none())
+      if (drawn(i) && kind_of(ladder.rungs[i]) == order && ladder.rungs[i].less.none())
         points += svg_number(x_of(ladder.rungs[i].cost)) + "," + svg_number(y_of(1e3 * off(i))) + " ";
     }
     svg += "<polyline fill=\"none\" stroke=\"black\" " + std::string(kStrokes[order - 1]) + " points=\"" + points + "\"/>\n";
   }
   for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
     const Rung& rung = ladder.rungs[i];
-    if (drawn(i)) svg += marker(rung.order, x_of(rung.cost), y_of(1e3 * off(i)), !rung.less.none());
+    if (drawn(i)) svg += marker(kind_of(rung), x_of(rung.cost), y_of(1e3 * off(i)), !rung.less.none());
   }
   double y = kTop + 30.0;
   const double x = kLeft + kWidth + 16.0;
@@ -94,13 +100,16 @@ std::string front_svg(const std::string& title, const Ladder& ladder, int chosen
     y += 20.0;
   };
   for (int order = 1; order <= 3; ++order) say(order, false, "order " + std::to_string(order));
+  if (std::any_of(ladder.rungs.begin(), ladder.rungs.end(), [&](const Rung& rung) { return kind_of(rung) == kInParts; }))
+    say(kInParts, false, "parts by local error");
   say(1, true, "hollow: less is modelled");
   if (chosen >= 0 && drawn(at(chosen))) {
     const Rung& rung = ladder.rungs[at(chosen)];
     svg += "<circle cx=\"" + svg_number(x_of(rung.cost)) + "\" cy=\"" + svg_number(y_of(1e3 * off(at(chosen)))) +
            "\" r=\"10\" fill=\"none\" stroke=\"black\" stroke-width=\"2\"/>\n";
     svg += svg_text(x - 8.0, y + 6.0, "ringed: the choice");
-    svg += svg_text(x - 8.0, y + 22.0, "order " + std::to_string(rung.order) + text_of(" at %.4g ms", 1e3 * rung.step));
+    svg += svg_text(x - 8.0, y + 22.0, "order " + std::to_string(rung.order) + text_of(" at %.4g ms", 1e3 * rung.step) +
+                                                (rung.local > 0.0 ? text_of(" to %.3g m/s^2", rung.local) : ""));
     svg += svg_text(x - 8.0, y + 38.0, text_of("%.3g mm, ", 1e3 * ladder.estimate(at(chosen))) + text_of("%.3g ms/s", rung.cost));
   }
   return svg_sheet(kLeft + kWidth + kRight, kTop + kHeight + 48.0, svg);

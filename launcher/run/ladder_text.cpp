@@ -56,10 +56,10 @@ bool read(std::istream& in, Moved& moved) {
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 11 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 12 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << written(ladder.agreement) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
-    text << r.order << ' ' << r.step << ' ' << r.cost << ' ' << r.work << ' '
+    text << r.order << ' ' << r.step << ' ' << r.local << ' ' << r.cost << ' ' << r.work << ' '
          << written(r.apart) << ' ' << r.at << ' ' << r.whole << ' '
          << written(r.bands.off) << ' ' << written(r.bands.gain) << ' ' << written(r.bands.rise) << ' '
          << written(r.bands.depth) << ' ' << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
@@ -82,7 +82,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder found;
   if (!(in >> word >> version >> rungs >> parted >> found.agreement >> found.cost) ||
-      word != "ladder" || version != 11 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 12 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
@@ -90,12 +90,13 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
     std::size_t held = 0, rigid = 0, still = 0, untouched = 0, aloft = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.work >> r.apart >> r.at >> r.whole >>
+    if (!(in >> r.order >> r.step >> r.local >> r.cost >> r.work >> r.apart >> r.at >> r.whole >>
           r.bands.off >> r.bands.gain >> r.bands.rise >> r.bands.depth >>
           held >> rigid >> still >> untouched >> aloft >>
           r.less.apart >> r.less.asleep))
       return false;
-    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still, untouched, aloft}) > 1000) return false;
+    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || !(r.local >= 0.0)) return false;
+    if (std::max({held, rigid, still, untouched, aloft}) > 1000) return false;
     r.apart = endless(r.apart);
     for (double* band : {&r.bands.off, &r.bands.gain, &r.bands.rise, &r.bands.depth}) *band = endless(*band);
     std::getline(in, r.body);

@@ -313,8 +313,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
       undrawn = at_rung(undrawn, rung);
       // The ladder has measured what this run is off by, so its steps are doubted where they are worse than they were there.
       scene.bands = undrawn.bands = rung.bands.times(kBand);
-      std::erase_if(config.settings,
-                    [](const auto& each) { return each.first == "solver.order"; });
+      drop_method(config.settings);
       request.step_s = rung.step;
     }
   }

@@ -60,11 +60,11 @@ Opened open(const Arguments& arguments) {
 std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
   std::ostringstream csv;
   csv.precision(9);
-  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,untouched,aloft,no_self_contact,asleep,chosen\n";
+  csv << "scene,seed,duration_s,order,step_s,local_error_m_s2,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,untouched,aloft,no_self_contact,asleep,chosen\n";
   for (std::size_t i = 0; i < choice.ladder.rungs.size(); ++i) {
     const Rung& rung = choice.ladder.rungs[i];
     csv << opened.scene.name << ',' << opened.request.seed << ',' << opened.request.duration << ','
-        << rung.order << ',' << rung.step << ',' << rung.cost << ',' << choice.ladder.estimate(i)
+        << rung.order << ',' << rung.step << ',' << rung.local << ',' << rung.cost << ',' << choice.ladder.estimate(i)
         << ',' << rung.body << ',' << rung.at << ',' << rung.less.held.size() << ',' << rung.less.rigid.size()
         << ',' << rung.less.still.size() << ',' << rung.less.untouched.size() << ',' << rung.less.aloft.size() << ',' << rung.less.apart << ',' << rung.less.asleep
         << ',' << (static_cast<int>(i) == choice.rung)
@@ -142,6 +142,9 @@ void print_model(const Opened& opened) {
               scene.self_contact
                   ? "touch one another, the ground and obstacles"
                   : "touch the ground and obstacles, not one another (self_contact)");
+  if (!scene.loose.empty() && scene.engine == "articulated")
+    std::printf("steps        %s\n", falls_alone(scene) ? "nobody drives the robot and something is loose: with an accuracy parts by local error are tried too"
+                                                       : "of one length: parts by local error are for what falls while nobody drives the robot");
   std::printf("settings     ");
   for (const auto& [key, value] : scene.settings) std::printf("%s%s=%s", &key == &scene.settings.front().first ? "" : ", ", key.c_str(), value.c_str());
   std::printf("%s\n", scene.settings.empty() ? "none: ideal sensors, servos without delay or play" : "");
@@ -212,7 +215,8 @@ void explain_less(const Opened& opened, const AccuracyChoice& choice, const std:
   if (chosen != nullptr) {
     double whole = chosen->cost;
     for (const Rung& rung : ladder.rungs) {
-      if (rung.order == chosen->order && rung.step == chosen->step && rung.less.none()) whole = rung.cost;
+      const bool same = rung.order == chosen->order && rung.step == chosen->step && rung.local == chosen->local;
+      if (same && rung.less.none()) whole = rung.cost;
     }
     costs = {{"what is modelled", chosen->cost}, {"what was left out", whole - chosen->cost}};
     std::printf("part                         physics [ms/s]    share\n");
@@ -277,7 +281,7 @@ together with all finer ones.  It climbs until the error is proven.  Exit status
   if (choice.rung < 0) return 1;
   const Rung& rung = choice.ladder.rungs[at(choice.rung)];
   const std::string why = why_of(opened, choice);
-  std::printf("order %d at %.4g ms; %s\n", rung.order, 1e3 * rung.step, why.c_str());
+  std::printf("%s; %s\n", words_of(rung).c_str(), why.c_str());
   if (const std::string file = arguments.text("--write", ""); !file.empty())
     write_file(file, tuned_text(opened.scene.text, with_own(rung, opened.scene), why));
   return choice.reason.empty() ? 0 : 1;

@@ -1,5 +1,6 @@
 #include "launcher/run/tuned_text.h"
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -18,19 +19,42 @@ void write_names(std::ostream& out, const char* key, const std::vector<std::stri
   out << "]\n";
 }
 
+// What of an earlier tuning stands in a line of the settings.
+void drop_local_error(std::string& line) {
+  const std::size_t begin = line.find("solver.local_error:");
+  if (begin == std::string::npos) return;
+  std::size_t from = begin, end = std::min(line.find_first_of(",}#", begin), line.size());
+  if (end < line.size() && line[end] == ',') {
+    end = std::min(line.find_first_not_of(' ', end + 1), line.size());
+  } else if (const std::size_t comma = line.find_last_not_of(' ', from > 0 ? from - 1 : 0); comma != std::string::npos && line[comma] == ',') {
+    from = comma;
+  }
+  line.erase(from, end - from);
+}
+
+bool is_blank(const std::string& line) { return line.find_first_not_of(' ') == std::string::npos; }
+
 }  // namespace
 
 std::string tuned_text(const std::string& scene, const Rung& rung, const std::string& why) {
   std::istringstream in(scene);
   std::ostringstream out;
   out << "# " << why << "\n";
-  const std::string asked = "solver.order: " + std::to_string(rung.order);
-  bool in_settings = false, has_order = false, dropped = false;
+  const std::string order = "solver.order: " + std::to_string(rung.order);
+  const std::string local = rung.local > 0.0 ? formatted("solver.local_error: %.9g", rung.local) : "";
+  const std::string asked = order + (local.empty() ? "" : ", " + local);
+  const std::string lines = order + (local.empty() ? "" : "\n  " + local);  // where the settings are a block of lines
+  bool in_settings = false, in_braces = false, has_order = false, dropped = false;
   std::string body;
   for (std::string line; std::getline(in, line);) {
     if (line.rfind(kOfThisRun, 0) == 0) continue;
     const bool top = !line.empty() && line[0] != ' ' && line[0] != '#' && line[0] != '-';
     if (top) in_settings = line.rfind("settings:", 0) == 0;
+    if (top && in_settings) in_braces = line.find('{') != std::string::npos;
+    if (in_settings && !is_blank(line)) {
+      drop_local_error(line);
+      if (is_blank(line)) continue;
+    }
     if (top && line.rfind("step:", 0) == 0) continue;
     if (top) {
       dropped = (line.rfind("held:", 0) == 0 && !rung.less.held.empty()) ||
@@ -45,7 +69,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
     const std::size_t at = line.find("solver.order:");
     if (in_settings && at != std::string::npos) {
       const std::size_t end = line.find_first_of(",}#", at);
-      line.replace(at, (end == std::string::npos ? line.size() : end) - at, asked);
+      line.replace(at, (end == std::string::npos ? line.size() : end) - at, in_braces ? asked : lines);
       has_order = true;
     } else if (top && in_settings && !has_order) {
       if (const std::size_t brace = line.find('{'); brace != std::string::npos) {
@@ -70,7 +94,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
     out << "settings: {" << asked << "}\n";
   } else if (!has_order) {  // a block of lines
     const std::size_t from = body.rfind("settings:", 0) == 0 ? 0 : body.find("\nsettings:") + 1;
-    body.insert(body.find('\n', from) + 1, "  " + asked + "\n");
+    body.insert(body.find('\n', from) + 1, "  " + lines + "\n");
   }
   out << body;
   return out.str();

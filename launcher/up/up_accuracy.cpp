@@ -47,9 +47,8 @@ void keep_to_real_time(AccuracyChoice& choice, const AccuracyRequest& asked, dou
   }
   const Rung wanted = *choice.chosen();
   choice.rung = choice.ladder.choose_within(1e3 * most / period);
-  choice.reason = formatted("%.3g mm does not fit real time: order %d at %.3g ms takes %.3g ms in the mean, and ", 1e3 * asked.error,
-                            wanted.order, 1e3 * wanted.step, 1e3 * share_of_period(wanted, period)) +
-                  leaves;
+  choice.reason = formatted("%.3g mm does not fit real time: ", 1e3 * asked.error) + words_of(wanted) +
+                  formatted(" takes %.3g ms in the mean, and ", 1e3 * share_of_period(wanted, period)) + leaves;
   if (choice.rung < 0) choice.reason += ", into which no order and step fits";
 }
 
@@ -88,6 +87,7 @@ std::vector<std::string> UpAccuracy::words() const {
   if (choice_->chosen() == nullptr) return words;
   const Rung& rung = *choice_->chosen();
   words.insert(words.end(), {"--set", "solver.order=" + std::to_string(rung.order), "--step", formatted("%.12g", rung.step)});
+  if (rung.local > 0.0) words.insert(words.end(), {"--set", formatted("solver.local_error=%.9g", rung.local)});
   const TrustBands bands = rung.bands.times(kBand);
   for (const auto& [option, band] : {std::pair("--band-error", bands.off), std::pair("--band-gain", bands.gain),
                                      std::pair("--band-rise", bands.rise), std::pair("--band-depth", bands.depth)})

@@ -61,6 +61,24 @@ TEST(Ladder, WorkDecidesAndNotWhatABusyMachineMeasured) {
   EXPECT_EQ(l.choose(1e-3), 2);
 }
 
+TEST(Ladder, PartsChosenByLocalErrorAreTakenWithAFinerRunThatHoldsToo) {
+  Ladder l = ladder();
+  Rung local = l.rungs[1];
+  local.local = 1.0;
+  local.work = 3.0;
+  local.apart = 7e-4;
+  l.rungs.insert(l.rungs.end() - 1, local);
+  EXPECT_EQ(l.choose(1e-3), 1);  // alone it may be luck
+  local.local = 0.3;
+  local.work = 5.0;
+  local.apart = 1e-4;
+  l.rungs.insert(l.rungs.end() - 1, local);
+  EXPECT_EQ(l.choose(1e-3), 5);
+  EXPECT_EQ(words_of(l.rungs[5]), "order 2 at 2 ms in parts, local error 1 m/s^2");
+  l.rungs[6].apart = 1e-2;
+  EXPECT_EQ(l.choose(1e-3), 1);
+}
+
 // Runs of a scene whose error is 0.4 mm (parts)^-order, after so many solves a second.
 Ladder climbed(double error, const std::function<double(int order, int parts)>& work) {
   const Model model = test::block();
@@ -95,6 +113,35 @@ TEST(Ladder, AFinerStepOfALowerOrderIsTriedAsFarAsItMayBeLessWork) {
   const Rung& chosen = l.rungs.at(static_cast<std::size_t>(l.choose(9e-5)));
   EXPECT_EQ(chosen.order, 1);
   EXPECT_EQ(std::lround(Model{}.period() / chosen.step), 6);
+}
+
+// Fixed steps have to be fine for the sake of an impact; parts only there.
+TEST(Ladder, WhatFallsAloneIsTriedInPartsAndIsNoneOfTheDrivenScenes) {
+  const Model model = test::block();
+  for (const bool driven : {false, true}) {
+    Scene scene;
+    scene.loose.emplace_back();
+    if (driven) scene.walks.emplace_back();
+    LadderRequest request;
+    request.duration = 0.1;
+    request.error = 1e-4;
+    request.follow = [&](const Scene& asked) {
+      double order = 1.0, local = 0.0;
+      for (const auto& [key, value] : asked.settings) (key == "solver.order" ? order : local) = std::stod(value);
+      const double parts = model.period() / asked.step;
+      Track track;
+      track.names = {"loose body ball"};
+      const double off = local > 0.0 ? 1e-4 * local : 4e-3 * std::pow(parts, -order);
+      track.at.assign(5, {Eigen::Vector3d(0.0, 0.0, off)});
+      track.work = request.duration * order * (local > 0.0 ? 3.0 - std::log10(local) : 2.0 * parts);
+      return track;
+    };
+    const Ladder l = climb(model, scene, {}, request);
+    const Rung& chosen = l.rungs.at(static_cast<std::size_t>(l.choose(1e-4)));
+    EXPECT_EQ(chosen.local, driven ? 0.0 : 0.3);
+    EXPECT_EQ(at_rung(scene, chosen).settings.size(), driven ? 1U : 2U);
+    EXPECT_EQ(at_rung(at_rung(scene, chosen), chosen).settings, at_rung(scene, chosen).settings);
+  }
 }
 
 TEST(Ladder, AFinerStepIsTakenWhereACoarserOneIsDividedMore) {
@@ -162,6 +209,7 @@ TEST(Ladder, TheCacheGivesBackWhatItWasGiven) {
   l.rungs[0].apart = std::numeric_limits<double>::infinity();
   l.rungs[0].whole = false;
   l.rungs[2].bands.rise = std::numeric_limits<double>::infinity();
+  l.rungs[1].local = 0.3;
   l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}, {"base"}, {"L FOOT", "TORSO"}, {"HEAD"}, true, true};
   l.moved.joints = {0.1, 0.2};
   l.moved.robots = {"left one"};

@@ -52,6 +52,30 @@ TEST(Tune, StepAndOrderReplaceThoseOfTheSceneAndNothingElseIsLost) {
   }
 }
 
+TEST(Tune, TheLocalErrorIsWrittenAndTakenAwayAgain) {
+  const std::string rest = "about: A test.\nmodes:\n  - {at: 0, mode: balance}\n";
+  const std::string texts[] = {rest, rest + "settings: {solver.order: 3, model.mass_scale: 1.5}\n",
+                               rest + "settings: {model.mass_scale: 1.5, solver.order: 1, solver.local_error: 7}\n",
+                               rest + "settings: {solver.local_error: 7}\n",
+                               rest + "settings:\n  solver.local_error: 7  # coarse\n  model.mass_scale: 1.5\n",
+                               rest + "settings:\n  solver.order: 3\n  model.mass_scale: 1.5\n"};
+  Rung local = rung_of(3, 0.002);
+  local.local = 0.3;
+  for (const std::string& text : texts) {
+    const bool scaled = text.find("mass_scale") != std::string::npos;
+    const std::string once = tuned_text(text, local, "because");
+    const Scene scene = written(once), back = written(tuned_text(once, rung_of(2, 0.001), "again"));
+    const auto count = [](const Scene& of, const std::string& key, const std::string& value) {
+      return std::count(of.settings.begin(), of.settings.end(), std::pair(key, value));
+    };
+    EXPECT_EQ(count(scene, "solver.local_error", "0.3"), 1) << once;
+    EXPECT_EQ(count(scene, "solver.order", "3"), 1) << once;
+    EXPECT_EQ(scene.settings.size(), scaled ? 3U : 2U) << once;
+    EXPECT_EQ(back.settings.size(), scaled ? 2U : 1U) << once;
+    EXPECT_EQ(order_of(back), "2") << once;
+  }
+}
+
 TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
   const std::string rest = "about: A test.\nmodes:\n  - {at: 0, mode: balance}\n";
   const std::string texts[] = {rest + "fidelity: auto\n", "held: [A]\n" + rest + "fidelity: auto\n",

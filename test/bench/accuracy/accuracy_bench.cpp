@@ -101,8 +101,7 @@ class Case {
       const double best = best_cost(whole, reference, error);
       if (!(known <= kKnown * error)) {
         ++counts.unknown;
-        std::printf("nothing can be said (order %d at %.3g ms: %.3g mm)\n", rung.order,
-                    1e3 * rung.step, 1e3 * truth);
+        std::printf("nothing can be said (%s: %.3g mm)\n", words_of(rung).c_str(), 1e3 * truth);
         continue;
       }
       counts.held += truth <= error ? 1 : 0;
@@ -110,9 +109,7 @@ class Case {
       counts.estimated += truth <= 3.0 * estimate && estimate <= 3.0 * truth ? 1 : 0;
       counts.cheap += cost_of(rung) <= 1.5 * best ? 1 : 0;
       std::printf(
-          "order %d at %.3g ms  %.3g mm, estimated %.3g  %.2f ms/s, best fixed %.2f, choosing %.1f "
-          "s\n",
-          rung.order, 1e3 * rung.step, 1e3 * truth, 1e3 * estimate, cost_of(rung), best,
+          "%s  %.3g mm, estimated %.3g  %.2f ms/s, best fixed %.2f, choosing %.1f s\n", words_of(rung).c_str(), 1e3 * truth, 1e3 * estimate, cost_of(rung), best,
           ladder.cost);
       const double gain = less_ && !rung.less.none() ? gain_of(rung) : 1.0;
       if (less_) {
@@ -120,8 +117,8 @@ class Case {
         std::printf("%26s%s: %.2f times as fast\n", "", rung.less.none() ? "everything" : words_of(rung.less).c_str(), gain);
       }
       if (csv != nullptr) {
-        std::fprintf(csv, "%s,%g,%g,%d,%g,%g,%g,%g,%g,%g,%g,%zu,%zu,%g\n", name_.c_str(), duration_, error,
-                     rung.order, rung.step, truth, estimate, known, cost_of(rung), best,
+        std::fprintf(csv, "%s,%g,%g,%d,%g,%g,%g,%g,%g,%g,%g,%g,%zu,%zu,%g\n", name_.c_str(), duration_, error,
+                     rung.order, rung.step, rung.local, truth, estimate, known, cost_of(rung), best,
                      ladder.cost, rung.less.held.size(), rung.less.rigid.size(), gain);
       }
     }
@@ -142,8 +139,8 @@ class Case {
         const Rung &a = quick.rungs[at(chosen)], &b = whole.rungs[at(best)];
         const double times = cost_of(a) / cost_of(b);
         counts.near += times <= kNear ? 1 : 0;
-        std::printf("order %d at %.3g ms %.2f ms/s, of all rungs order %d at %.3g ms %.2f ms/s: %.2f times", a.order, 1e3 * a.step, cost_of(a),
-                    b.order, 1e3 * b.step, cost_of(b), times);
+        std::printf("%s %.2f ms/s, of all rungs %s %.2f ms/s: %.2f times", words_of(a).c_str(), cost_of(a), words_of(b).c_str(),
+                    cost_of(b), times);
       }
       std::printf("; %zu rungs %.1f s, all %zu %.1f s\n", quick.rungs.size(), quick.cost, whole.rungs.size(), whole.cost);
     }
@@ -185,6 +182,7 @@ class Case {
   }
   double best_cost(const Ladder& whole, const Track& reference, double error) {
     Ladder known = whole;
+    std::erase_if(known.rungs, [](const Rung& rung) { return rung.local > 0.0; });
     for (Rung& rung : known.rungs)
       rung.apart = distance(track_of(at_rung(scene_, rung.order, rung.step)), reference).most;
     double best = std::nan("");
@@ -221,7 +219,7 @@ Holds the choices of run --accuracy against converged references; exit status 0 
     csv = std::fopen(file.c_str(), "w");
     if (csv == nullptr) throw std::runtime_error("cannot write " + file);
     std::fprintf(csv,
-                 "scene,duration_s,asked_m,order,step_s,true_m,estimate_m,references_m,cost_ms_per_"
+                 "scene,duration_s,asked_m,order,step_s,local_error_m_s2,true_m,estimate_m,references_m,cost_ms_per_"
                  "s,best_ms_per_s,"
                  "choosing_s,held_joints,rigid_robots,gain\n");
   }
