@@ -162,8 +162,11 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   const double forward = std::isnan(w.zmp_forward) ? std::min(held_by_ankle(model, 0), held_by_ankle(model, 1)) : w.zmp_forward;
   g.zmp_forward = std::clamp(forward, -left.back + 0.25 * length, left.front - 0.25 * length);
   g.zmp_inward = w.zmp_inward;
-  g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
-  g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
+  // What is left of a line, less the margin, is its middle.
+  const double aside = std::max(0.0, std::min(inner, outer) - margin), middle = 0.5 * (left.front - left.back);
+  g.sole_low = {std::min(-left.back + margin, middle), -aside};
+  g.sole_high = {std::max(left.front - margin, middle), aside};
+  g.zmp_inward = std::min(g.zmp_inward, aside);
   // A leg that cannot turn its sole about an axis holds no zero-moment point off it.
   g.leans = leans(model);
   if (g.leans) {

@@ -209,6 +209,10 @@ void print(const Model& model, const Extent& extent) {
                 joint.kp, joint.kd);
   }
   print_limbs(model);
+  for (const PassiveJoint& passive : passive_joints_of(model)) {
+    std::printf("%s has no motor: a spring of %.3g N m/rad that rests at %.3g rad\n", model.joints[at(passive.joint)].name.c_str(),
+                passive.stiffness, passive.rest);
+  }
   const std::string loops = loops_sentence(model);
   if (!loops.empty()) std::printf("%s\n", loops.c_str());
   std::printf("poses:");

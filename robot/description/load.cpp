@@ -62,6 +62,18 @@ void apply_servos(const RobotYaml& yaml, Model& model) {
   }
 }
 
+void apply_passive(const RobotYaml& yaml, Model& model) {
+  for (const PassiveEntry& entry : yaml.passive_joints) {
+    for (const std::string& name : entry.joints) {
+      Joint& joint = model.joints[static_cast<std::size_t>(need_joint(model, name, entry.where))];
+      joint.passive = true;
+      joint.spring = entry.stiffness;
+      joint.spring_rest = entry.rest;
+      if (std::isfinite(entry.damping)) joint.damping = entry.damping;
+    }
+  }
+}
+
 // Where a sole or hand is, and what it feels with.
 template <class Limb>
 void place_limb(const LimbEntry& entry, const Model& model, const std::string& where, Limb& limb) {
@@ -145,6 +157,7 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   }
   model.grippers = read_grippers(yaml, model);
   apply_servos(yaml, model);
+  apply_passive(yaml, model);
   model.loops = yaml.loops;
   for (const Loop& loop : yaml.loops) {
     for (const std::string& name : {loop.link, loop.to}) {
@@ -215,6 +228,7 @@ Model build_robot(const RobotTexts& texts, const RobotYaml& yaml, const std::str
                                   {.folder = folder.string(), .packages = yaml.packages}),
                        urdf_file);
   builder.fix_joints(yaml.fixed_joints, yaml_file);
+  for (const PassiveEntry& entry : yaml.passive_joints) builder.rest_joints(entry.joints, entry.rest, entry.where);
   builder.build(model);
   model.folder = folder.string();
   for (const std::string& name : yaml.inertia_from_shape) {

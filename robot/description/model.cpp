@@ -54,4 +54,13 @@ int number_of(const Model& model, const Hand& hand) noexcept {
   return static_cast<int>(&hand - model.more_hands.data()) + 2;
 }
 
+std::vector<PassiveJoint> passive_joints_of(const Model& model) {
+  std::vector<PassiveJoint> passive;
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    if (joint.passive) passive.push_back({j, joint.spring, joint.spring_rest});
+  }
+  return passive;
+}
+
 }  // namespace twinbus

@@ -37,6 +37,8 @@ struct Joint {
   double upper = 0.0;
   double velocity = 0.0;       // limit [rad/s or m/s]
   double effort = 0.0;         // limit [N m or N]
+  bool passive = false;        // without a motor: moved by spring, damper, friction and stops alone
+  double spring = 0.0, spring_rest = 0.0;  // of a passive one [N m/rad or N/m], [rad or m]
   double damping = 0.0;        // [N m s/rad]
   double friction = 0.0;       // Coulomb [N m]
   double rotor_inertia = 0.0;  // reflected through the gear [kg m^2]
@@ -201,5 +203,13 @@ inline int number_of(ArmSide side) noexcept { return static_cast<int>(side) - 1;
 // The link of the URDF called so, in the link it was merged into.  Throws std::runtime_error that begins with `where`, with the
 // nearest name.
 const Frame& frame_called(const Model& model, const std::string& name, const std::string& where);
+
+struct PassiveJoint {
+  int joint = -1;
+  double stiffness = 0.0;  // [N m/rad or N/m]
+  double rest = 0.0;       // [rad or m]
+};
+// The joints without a motor.
+std::vector<PassiveJoint> passive_joints_of(const Model& model);
 
 }  // namespace twinbus

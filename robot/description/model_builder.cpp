@@ -64,6 +64,27 @@ void ModelBuilder::fix_joints(const std::vector<std::string>& names, const std::
   }
 }
 
+void ModelBuilder::rest_joints(const std::vector<std::string>& names, double angle, const std::string& where) {
+  for (const std::string& name : names) {
+    UrdfJoint& joint = tree_.joints[static_cast<std::size_t>(urdf_joint(name, where))];
+    if (joint.fixed) throw std::runtime_error(where + ": joint " + name + " is fixed too; leave it out here or there");
+    if (!joint.mimic.empty()) throw std::runtime_error(where + ": joint " + name + " follows " + joint.mimic + ", or is named twice");
+    if (joint.kind != JointKind::kContinuous && !(angle >= joint.lower && angle <= joint.upper))
+      throw std::runtime_error(where + ": the rest of " + name + " is outside its limits");
+    const UrdfJoint* driven = nullptr;
+    for (int link = joint.parent; driven == nullptr;) {
+      const int up = tree_.links[static_cast<std::size_t>(link)].parent_joint;
+      if (up < 0) throw std::runtime_error(where + ": no joint with a motor carries " + name + "; fix it, or give it a motor");
+      const UrdfJoint& above = tree_.joints[static_cast<std::size_t>(up)];
+      if (!above.fixed && above.mimic.empty()) driven = &above;
+      link = above.parent;
+    }
+    joint.mimic = driven->name;
+    joint.mimic_multiplier = 0.0;
+    joint.mimic_offset = angle;
+  }
+}
+
 std::vector<std::string> ModelBuilder::fix_weightless() {
   std::vector<double> behind(tree_.links.size(), 0.0);
   for (std::size_t i = 0; i < tree_.links.size(); ++i) {

@@ -19,6 +19,10 @@ class ModelBuilder {
   // Joints that robot.yaml fixes at 0.  Throws std::runtime_error if there is no such joint.
   void fix_joints(const std::vector<std::string>& names, const std::string& yaml_file);
 
+  // Joints without a motor rest at an angle: they follow the nearest joint before them that has one, by 0 times its own.
+  // Throws as fix_joints does, or if one is fixed, follows another or has no such joint before it.
+  void rest_joints(const std::vector<std::string>& names, double angle, const std::string& where);
+
   // Fixes the joints behind which nothing has mass; returns their names.
   std::vector<std::string> fix_weightless();
 

@@ -141,6 +141,17 @@ ServoEntry read_servo(const ConfigNode& node) {
   return entry;
 }
 
+PassiveEntry read_passive(const ConfigNode& node) {
+  PassiveEntry entry{.joints = node.texts("joints"),
+                     .stiffness = node.number("stiffness", 0.0, 1e6, 0.0),
+                     .damping = node.number("damping", 0.0, 1e5, kNan),
+                     .rest = node.number("rest", -10.0, 10.0, 0.0),
+                     .where = node.where("joints")};
+  if (entry.joints.empty()) node.fail("joints", "must name at least one joint");
+  node.finish();
+  return entry;
+}
+
 }  // namespace
 
 RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
@@ -230,6 +241,7 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
   }
   yaml.leg_joints = top.texts("leg_joints");
   for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
+  for (const ConfigNode& node : top.list("passive_joints")) yaml.passive_joints.push_back(read_passive(node));
   top.finish();
   return yaml;
 }

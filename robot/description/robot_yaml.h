@@ -21,6 +21,16 @@ struct ServoEntry {
   ConfigNode node;
 };
 
+// Joints without a motor, as of toes: the list `passive_joints`.
+//   - {joints: [toe_l, toe_r], stiffness: 20, damping: 0.5, rest: 0}   # [N m/rad, N m s/rad, rad]
+// The simulator turns them by spring, damper, friction and stops alone.  Nobody measures or commands them: they are not on the bus, and
+// whoever computes with the model takes them at rest, as joints that follow another one by 0 times its angle.
+struct PassiveEntry {
+  std::vector<std::string> joints;
+  double stiffness = 0.0, damping = 0.0, rest = 0.0;
+  std::string where;
+};
+
 // What soles and hands have.
 struct LimbEntry {
   bool present = false;
@@ -68,6 +78,7 @@ struct RobotYaml {
   std::vector<std::pair<std::string, HandEntry>> more_hands;  // by the names that robot.yaml gives them
   std::vector<std::string> leg_joints;
   std::vector<ServoEntry> servos;
+  std::vector<PassiveEntry> passive_joints;
   Walking walking;
   std::vector<Loop> loops;
   std::vector<NearPairEntry> near_pairs;

@@ -56,7 +56,10 @@ StandingFeet::StandingFeet(const Model& model) : model_(&model), weight_force_(k
     if (link.parent >= 0) has_child[at(link.parent)] = true;
   }
   for (int link = 1; link < model.link_count(); ++link) {
-    const bool is_foot = std::any_of(feet_.begin(), feet_.end(), [&](const Foot& f) { return f.link == link; });
+    // Toes are part of the foot that they hang on.
+    bool is_foot = false;
+    for (int up = link; up > 0 && !is_foot; up = model.links[at(up)].parent)
+      is_foot = up == model.soles[0].link || up == model.soles[1].link;
     const bool is_hand = link == model.hands[0].link || link == model.hands[1].link;
     if (!has_child[at(link)] && !is_foot && !is_hand) add_foot(model, link, -1);
   }

@@ -44,11 +44,17 @@ constexpr double kSoleHalf = 0.004;  // half thickness of the box that a sole be
 constexpr double kLeastMass = 1e-9;  // of a link without mass that cannot be joined with the next [kg]
 
 // What MuJoCo gives one body: a link with mass and the massless ones before it, whose joints it has too.
+// Null: the joint is no passive one.
+const PassiveJoint* spring_among(const std::vector<PassiveJoint>& passive, int joint) {
+  const auto found = std::find_if(passive.begin(), passive.end(), [&](const PassiveJoint& p) { return p.joint == joint; });
+  return found == passive.end() ? nullptr : &*found;
+}
+
 class BodyWriter {
  public:
   BodyWriter(const Model& model, const MjcfContact& contact, const MjcfParts& parts, ExportedMeshes& meshes)
       : model_(model), contact_(contact), parts_(parts), meshes_(meshes),
-        mujoco_(model.mujoco), children_(model.links.size()) {
+        mujoco_(model.mujoco), passive_(passive_joints_of(model)), children_(model.links.size()) {
     for (int i = 1; i < model.link_count(); ++i) children_[at(model.links[at(i)].parent)].push_back(i);
   }
 
@@ -96,8 +102,11 @@ class BodyWriter {
       out += " range=\"" + exact_number(joint.lower) + " " + exact_number(joint.upper) + "\"";
     if (joint.rotor_inertia > 0.0) out += " armature=\"" + exact_number(joint.rotor_inertia) + "\"";
     if (joint.damping > 0.0 && parts_.drives) out += " damping=\"" + exact_number(joint.damping) + "\"";
+    if (const PassiveJoint* passive = spring_among(passive_, index)) {
+      out += " stiffness=\"" + exact_number(passive->stiffness) + "\" springref=\"" + exact_number(passive->rest) + "\"";
+    }
     if (joint.friction > 0.0) out += " frictionloss=\"" + exact_number(joint.friction) + "\"";
-    if (joint.effort > 0.0 && joint.effort < 1e9 && parts_.drives)
+    if (joint.effort > 0.0 && joint.effort < 1e9 && parts_.drives && spring_among(passive_, index) == nullptr)
       out += " actuatorfrcrange=\"" + exact_number(-joint.effort) + " " + exact_number(joint.effort) + "\"";
     out += "/>\n";
   }
@@ -152,6 +161,7 @@ class BodyWriter {
   const MjcfParts& parts_;
   ExportedMeshes& meshes_;
   const MujocoConfig& mujoco_;
+  std::vector<PassiveJoint> passive_;
   std::vector<std::vector<int>> children_;
   std::map<std::string, MjcfText::Geom> geoms_;
 };
@@ -239,8 +249,9 @@ MjcfText mjcf_of_model(const Model& model, const Eigen::Isometry3d& base, const 
     text.contact += "    <exclude body1=\"" + xml_escaped(model.links[at(a)].name) + "\" body2=\"" +
                     xml_escaped(model.links[at(b)].name) + "\"/>\n";
   }
+  const std::vector<PassiveJoint> passive = passive_joints_of(model);
   for (const Joint& joint : model.joints) {
-    if (joint.mimic < 0) continue;
+    if (joint.mimic < 0 || spring_among(passive, joint.child - 1) != nullptr) continue;
     text.equality += "    <joint joint1=\"" + xml_escaped(joint.name) + "\" joint2=\"" +
                      xml_escaped(model.joints[at(joint.mimic)].name) + "\" polycoef=\"" + exact_number(joint.mimic_offset) +
                      " " + exact_number(joint.mimic_multiplier) + " 0 0 0\"/>\n";
@@ -258,6 +269,7 @@ std::string urdf_of_model(const Model& model, ExportedMeshes& meshes) {
   std::string out = "<?xml version=\"1.0\"?>\n<!-- Written by `twinbus export`. -->\n<robot name=\"" +
                     xml_escaped(model.name) + "\" xmlns:drake=\"http://drake.mit.edu\">\n";
   std::string rotors;
+  const std::vector<PassiveJoint> passive = passive_joints_of(model);
   for (int i = 0; i < model.link_count(); ++i) {
     const Link& link = model.links[at(i)];
     out += "  <link name=\"" + xml_escaped(link.name) + "\">\n";
@@ -292,7 +304,7 @@ std::string urdf_of_model(const Model& model, ExportedMeshes& meshes) {
     out += "effort=\"" + exact_number(std::min(joint.effort, 1e9)) + "\" velocity=\"" +
            exact_number(std::min(joint.velocity, 1e9)) + "\"/><dynamics damping=\"" + exact_number(joint.damping) +
            "\" friction=\"" + exact_number(joint.friction) + "\"/>\n";
-    if (joint.mimic >= 0) {
+    if (joint.mimic >= 0 && spring_among(passive, joint.child - 1) == nullptr) {
       out += "    <mimic joint=\"" + xml_escaped(model.joints[at(joint.mimic)].name) + "\" multiplier=\"" +
              exact_number(joint.mimic_multiplier) + "\" offset=\"" + exact_number(joint.mimic_offset) + "\"/>\n";
     }

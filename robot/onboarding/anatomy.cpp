@@ -9,6 +9,7 @@
 #include "robot/collision/collision_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/link_points.h"
+#include "robot/onboarding/line_feet.h"
 
 namespace twinbus {
 
@@ -301,6 +302,10 @@ class Finder {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
+    if (const auto line = line_on_ground(model_.links[at(foot)], pose, points_[at(foot)], ground)) {
+      low.head<2>() = line->min();
+      high.head<2>() = line->max();
+    }
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
     frame.translation() << pose.translation().x(), pose.translation().y(), ground;
     if (!(low.x() < frame.translation().x() && frame.translation().x() < high.x() &&
@@ -316,7 +321,14 @@ class Finder {
     sole.back = std::max(frame.translation().x() - low.x(), 0.005);
     sole.left = std::max(high.y() - frame.translation().y(), 0.005);
     sole.right = std::max(frame.translation().y() - low.y(), 0.005);
-    if (sole.left + sole.right > kTurned * (sole.front + sole.back)) {
+    if (is_line(sole)) {
+      const bool along = sole.front + sole.back > sole.left + sole.right;
+      result_.doubts.push_back(formatted("the %s sole on %s is a line %s the foot, %.0f mm long: %s", name,
+                                         model_.links[at(foot)].name.c_str(), along ? "along" : "across",
+                                         1e3 * std::max(sole.front + sole.back, sole.left + sole.right),
+                                         along ? "what tips the robot over it, steps catch"
+                                               : "nobody stands on two such lines, and legs that can turn them do not step on them yet"));
+    } else if (sole.left + sole.right > kTurned * (sole.front + sole.back)) {
       result_.doubts.push_back("foot " + model_.links[at(foot)].name +
                                " is wider than long, so its mesh lies crosswise (the up axis of a "
                                "DAE is not used): the sole is taken with the long side forward");
@@ -325,7 +337,7 @@ class Finder {
       sole.back = std::min(crosswise.left, crosswise.right);
       sole.left = sole.right = 0.5 * (crosswise.front + crosswise.back);
     }
-    if (sole.front + sole.back < 0.04 || sole.left + sole.right < 0.02) {
+    if (!is_line(sole) && (sole.front + sole.back < 0.04 || sole.left + sole.right < 0.02)) {
       result_.doubts.push_back(std::string("the ") + name + " sole on " +
                                model_.links[at(foot)].name +
                                " is hardly a surface: measure it, or the feet are points or not "

@@ -1,6 +1,6 @@
 // Fingers of an arm that can stay joints: which they are, and where they are open and closed.
 //
-// An arm on a fixed base keeps them as one group a hand; a robot that stands has its fingers fixed where nobody says otherwise.
+// They stay as one group a hand, of a robot that stands too; what is no such group is fixed to its hand.
 
 #pragma once
 

@@ -162,7 +162,8 @@ class Looker {
       add(about, "has a velocity limit of " + number(joint.velocity) + (turns ? " rad/s" : " m/s"),
           "give the motor's");
     }
-    if (!(joint.effort > 0.0) || joint.effort > 1e4) {
+    const bool passive = joint.mimic >= 0 && joint.mimic_multiplier == 0.0;
+    if (!passive && (!(joint.effort > 0.0) || joint.effort > 1e4)) {
       add(about, "has an effort limit of " + number(joint.effort) + (turns ? " N m" : " N"),
           "give the motor's");
     }

@@ -8,6 +8,7 @@
 
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/line_feet.h"
 
 namespace twinbus {
 
@@ -109,7 +110,7 @@ std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy) {
   if (legs && legs->size() == 2) {
     for (const Sole& sole : anatomy.soles) {
       const double size = std::max(sole.front + sole.back, sole.left + sole.right);
-      if (sole.link < 0 || size > kPoint * anatomy.hip_height) return std::nullopt;
+      if (sole.link < 0 || (size > kPoint * anatomy.hip_height && !is_line(sole))) return std::nullopt;
     }
   }
   if (!legs) {
@@ -117,6 +118,7 @@ std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy) {
       anatomy.doubts.push_back(std::string("four limbs reach the ground, but it is not taken for a quadruped that stands and trots: ") + why);
     return legs;
   }
+  const bool lines = anatomy.soles[0].link >= 0 && is_line(anatomy.soles[0]);
   anatomy.soles = {};
   anatomy.sole_sensor = {};
   anatomy.leg_joints.clear();
@@ -129,7 +131,8 @@ std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy) {
   });
   std::string names;
   for (const PointLeg& leg : *legs) names += (names.empty() ? "" : ", ") + model.links[at(leg.link)].name;
-  anatomy.doubts.push_back(std::string("it is taken for a robot on ") + (legs->size() == 2 ? "two" : "four") + " point feet: " + names);
+  anatomy.doubts.push_back(std::string("it is taken for a robot on ") + (legs->size() == 2 ? "two" : "four") + " feet that are points" +
+                           (lines ? ", or lines: " : ": ") + names);
   return legs;
 }
 

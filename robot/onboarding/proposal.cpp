@@ -13,8 +13,10 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/carriers.h"
 #include "robot/onboarding/finger_groups.h"
+#include "robot/onboarding/line_feet.h"
 #include "robot/onboarding/point_legged.h"
 #include "robot/onboarding/known_srdf.h"
+#include "robot/onboarding/passive_toes.h"
 #include "robot/onboarding/rest_pairs.h"
 #include "common/math/pose_math.h"
 
@@ -70,11 +72,6 @@ std::string list(const Eigen::Vector3d& v) {
   return std::string("[") + fixed(v.x()) + ", " + fixed(v.y()) + ", " + fixed(v.z()) + "]";
 }
 
-std::string disabled(const Model& model, const RestPair& pair) {
-  return "  <disable_collisions link1=\"" + xml_escaped(model.links[at(pair.link_a)].name) + "\" link2=\"" +
-         xml_escaped(model.links[at(pair.link_b)].name) + "\" reason=\"" + xml_escaped(pair.why) + "\"/>\n";
-}
-
 // points: whether it has legs that end in points.
 bool base_floats(const ProposalSource& source, const Anatomy& anatomy, bool points) {
   return source.floating.value_or(points || anatomy.soles[0].link >= 0);
@@ -97,6 +94,7 @@ class Writer {
         if (hand.link > 0 && j + 1 != hand.link && above(hand.link, j + 1)) fingers_.push_back(j);
       }
     }
+    toes_ = passive_toes(model_);
     keep_grippers();
     take_trained();
     posture_ = neutral_posture(model_);
@@ -138,10 +136,11 @@ class Writer {
     if (!anatomy_.leg_joints.empty())
       out += "\nleg_joints: " + list(names_of(anatomy_.leg_joints)) + "\n";
     near_pairs(out);
+    out += passive_yaml(model_, toes_);
     out += source.mujoco;
     std::string servos;
     for (const int j : model_.bus_joints) {
-      if (!is_finger(j)) servo(j, servos);
+      if (!is_finger(j) && !is_toe(j)) servo(j, servos);
     }
     if (servos.empty()) return out;
     const bool of_file = source.servos_apply && !source.servos.empty();
@@ -171,15 +170,16 @@ class Writer {
       out += "  <disable_collisions link1=\"" + xml_escaped(a) + "\" link2=\"" + xml_escaped(b) +
              "\" reason=\"said by " + xml_escaped(source_.srdf_origin) + "\"/>\n";
     }
-    for (const RestPair& pair : hand_pairs_) out += disabled(model_, pair);
+    for (const RestPair& pair : hand_pairs_) out += exempted(model_, pair);
     disabled_ = pairs_.size();
-    for (const RestPair& pair : pairs_) out += disabled(model_, pair);
+    for (const RestPair& pair : pairs_) out += exempted(model_, pair);
     return out + "</robot>\n";
   }
 
   // What people must know of the choices.
   void tell(std::vector<std::string>& doubts) const {
     doubts.insert(doubts.end(), doubts_.begin(), doubts_.end());
+    if (!toes_.empty()) doubts.push_back("no motor drives " + list(names_of(toes_)) + kPassiveToes);
     if (disabled_ > 0) {
       doubts.push_back(std::to_string(disabled_) +
                        " pairs of links touch in the proposed postures, or nearly, and are exempt from the "
@@ -217,7 +217,7 @@ class Writer {
 
   // The fingers of an arm move as one group; what is of one hand may touch.
   void keep_grippers() {
-    if (has_soles() || points_ || floating()) return;
+    if (floating() && !has_soles() && !points_) return;
     groups_ = finger_groups(model_, anatomy_, source_.planar);
     for (const FingerGroup& group : groups_) {
       const auto& links = group.links;
@@ -289,8 +289,7 @@ class Writer {
     if (find_standing_posture(model_, posture_)) {
       const double turned = hold_arms_out(model_, anatomy_, posture_);
       if (!(turned > 0.0)) return;
-      doubts_.push_back(formatted("in half_sitting the arms are turned %.2f rad outwards: they hang %s the legs", turned,
-                                  "within 80 mm of"));
+      doubts_.push_back(formatted("in half_sitting the arms are turned %.2f rad outwards: they hang within 80 mm of the legs", turned));
       if (find_standing_posture(model_, posture_)) return;
     }
     const std::string why = why_it_falls(model_, posture_);
@@ -304,7 +303,7 @@ class Writer {
     out += "  <group_state name=\"" + xml_escaped(name) + "\" group=\"all\">\n";
     for (const int j : model_.bus_joints) {
       const Joint& joint = model_.joints[at(j)];
-      if (is_finger(j)) continue;
+      if (is_finger(j) || is_toe(j)) continue;
       // Rounding must not leave the limits.
       const double value = std::clamp(std::round(q[j] * 1e6) / 1e6, joint.lower, joint.upper);
       out += "    <joint name=\"" + xml_escaped(joint.name) + "\" value=\"" +
@@ -336,9 +335,12 @@ class Writer {
     for (std::size_t side = 0; side < 2; ++side) {
       const Sole& sole = model_.soles[side];
       const std::string& sensor = anatomy_.sole_sensor[side];
-      // Short and narrow soles must be stiffer, or the robot tips over on their springs.
+      // Short and narrow soles must be stiffer, or the robot tips over on their springs; over a line it tips all the same.
       const double tips = model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
-      const auto against = [&](double edges) { return tips / std::max(0.25 * edges * edges, 1e-4); };
+      const double longer = std::max(sole.front + sole.back, sole.left + sole.right);
+      const auto against = [&](double edges) {
+        return is_line(sole) && edges < longer ? 0.0 : tips / std::max(0.25 * edges * edges, 1e-4);
+      };
       const double stiffness = std::max({kSoleStiffness * share, kTipping * against(sole.front + sole.back),
                                          kTippingAside * against(sole.left + sole.right)});
       out += std::string(side == 0 ? "  left:" : "  right:") +
@@ -380,9 +382,8 @@ class Writer {
     return below == link;
   }
 
-  bool is_finger(int j) const {
-    return std::find(fingers_.begin(), fingers_.end(), j) != fingers_.end();
-  }
+  bool is_finger(int j) const { return std::find(fingers_.begin(), fingers_.end(), j) != fingers_.end(); }
+  bool is_toe(int j) const { return std::find(toes_.begin(), toes_.end(), j) != toes_.end(); }
 
   // Legs and what carries the arms hold the weight of the robot, others what hangs on them.
   void servo(int j, std::string& out) const {
@@ -443,6 +444,7 @@ class Writer {
   std::optional<PointLegs> points_;
   std::vector<std::string> doubts_;
   Eigen::VectorXd posture_;
+  std::vector<int> toes_;     // joints of feet that no motor drives
   std::vector<int> fingers_;  // joints behind the hands that are to be fixed
   FingerGroups groups_;  // and those that are not
   std::vector<RestPair> hand_pairs_;   // of hands with such
@@ -486,7 +488,7 @@ void exempt_at_rest(const Model& loaded, Proposal& proposal) {
   const std::vector<RestPair> pairs = pairs_at_rest(loaded, postures);
   if (pairs.empty()) return;
   std::string more;
-  for (const RestPair& pair : pairs) more += disabled(loaded, pair);
+  for (const RestPair& pair : pairs) more += exempted(loaded, pair);
   proposal.srdf.insert(proposal.srdf.rfind("</robot>"), more);
   proposal.doubts.push_back(std::to_string(pairs.size()) +
                             " more pairs touch once fingers are part of the hands, and are exempt too");

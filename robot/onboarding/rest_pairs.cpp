@@ -7,6 +7,7 @@
 
 #include "common/math/index.h"
 #include "common/text/formatted.h"
+#include "common/text/xml.h"
 #include "robot/collision/collision.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/collision/collision_pairs.h"
@@ -94,6 +95,11 @@ std::vector<int> mirror_images(const Model& model) {
     }
   }
   return images;
+}
+
+std::string exempted(const Model& model, const RestPair& pair) {
+  return "  <disable_collisions link1=\"" + xml_escaped(model.links[at(pair.link_a)].name) + "\" link2=\"" +
+         xml_escaped(model.links[at(pair.link_b)].name) + "\" reason=\"" + xml_escaped(pair.why) + "\"/>\n";
 }
 
 std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen::VectorXd>& postures) {

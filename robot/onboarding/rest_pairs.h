@@ -19,6 +19,9 @@ struct RestPair {
 // between them, and the mirror images of all these.  Nothing that the SRDF leaves out already.
 std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen::VectorXd>& postures);
 
+// The line of an SRDF that says so.
+std::string exempted(const Model& model, const RestPair& pair);
+
 struct NearByDesign {
   int link_a = 0, link_b = 0;
   double margin = 0.0;  // [m]

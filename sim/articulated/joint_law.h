@@ -30,6 +30,8 @@ inline constexpr double kStopReturn = 2.0;  // [rad/s or m/s]
 inline constexpr double kStopGuess =
     1e-12;  // a joint so near its stop is expected to lean on it [rad]
 
+inline constexpr double kSpringLimit = 1e9;  // of a passive joint: none [N m or N]
+
 // How fast a joint may come nearer to a stop that is so far away [rad/s].
 inline double stop_bound(double room, double rate) noexcept {
   return room >= 0.0 ? room * rate : std::max(kStopShare * room * rate, -kStopReturn);
@@ -44,7 +46,17 @@ class JointLaw {
  public:
   JointLaw(const Joint& joint, const WorldConfig& config);
 
-  void set_target(const ServoTarget& target) noexcept { target_ = target; }
+  // Leaves a spring as it is.
+  void set_target(const ServoTarget& target) noexcept {
+    if (!passive_) target_ = target;
+  }
+  // No motor from now on: a spring without limits.
+  void make_spring(double stiffness, double rest) noexcept {
+    target_ = {.q = rest, .kp = stiffness};
+    limit_ = kSpringLimit;
+    backlash_ = 0.0;
+    passive_ = true;
+  }
   // After a jump: torque of the servo until now, which says on which flank of its play it is.
   void set_tau(double tau) noexcept;
 
@@ -106,6 +118,7 @@ class JointLaw {
   double stick_;       // speed beyond which friction slides; none without friction
   double stick_gain_;  // of friction that does not [N m s/rad]
   ServoTarget target_;
+  bool passive_ = false;
   double play_ = 0.0, tau_ = 0.0;
   double saved_play_ = 0.0, saved_tau_ = 0.0;
   // Of this step.

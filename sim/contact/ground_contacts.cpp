@@ -6,6 +6,7 @@
 
 #include "common/math/index.h"
 #include "sim/contact/bristle.h"
+#include "sim/world/felt_feet.h"
 #include "sim/world/link_hull.h"
 
 namespace twinbus {
@@ -18,6 +19,18 @@ constexpr double kTangentMass = 15.0;  // [kg]
 constexpr double kHigh = 1.0;  // [m], more than the ground is ever uneven
 constexpr double kSure = 1e-6;  // more than distances are rounded by [m]
 
+// Whether a ball of a toe, at rest, is under the sole that it hangs on.
+bool toe_under_sole(const Model& model, const Sole& sole, int link, Eigen::Vector3d point, double radius) {
+  if (!is_toe_of(model, sole, link)) return false;
+  for (; link != sole.link; link = model.links[at(link)].parent) {
+    const Joint& joint = model.joints[at(link - 1)];
+    const double q = std::clamp(0.0, joint.lower, joint.upper);
+    if (joint.kind == JointKind::kPrismatic) point += q * joint.axis;
+    else point = Eigen::AngleAxisd(q, joint.axis) * point;
+    point = joint.placement * point;
+  }
+  return under_sole(sole, sole.frame.inverse() * point, radius);
+}
 
 }  // namespace
 
@@ -128,7 +141,8 @@ void GroundContacts::add_probes(int link, int number, const Shape& shape, const 
   const auto probe = [&](const Eigen::Vector3d& at, double radius) {
     LinkProbe p{shape.pose * at, radius, false};
     for (const Sole& sole : model.soles) {
-      p.skin = p.skin || (sole.link == link && (sole.frame.inverse() * p.center).z() < kSoleSkin);
+      p.skin = p.skin || (sole.link == link && (sole.frame.inverse() * p.center).z() - radius < kSoleSkin) ||
+               toe_under_sole(model, sole, link, p.center, radius);
     }
     added.radius = std::max(added.radius, at.norm() + radius);
     probes_.push_back(p);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/time/part_clock.h"
+#include "robot/description/model.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
@@ -45,6 +46,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       coarse_{Configuration(model), Configuration(model)},
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
+  for (const PassiveJoint& p : passive_joints_of(model)) joints_[at(p.joint)].make_spring(p.stiffness, p.rest);
   contacts_.reserve(at(loose_.most_contacts() + ties_.count()));
   reported_.reserve(at(2 * (loose_.most_contacts() + ties_.count())));
   pushes_.reserve(kMostPushes);

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/description/model.h"
 #include "sim/contact/ground_contacts.h"
+#include "sim/world/felt_feet.h"
 #include "sim/world/link_hull.h"
 #include "sim/engine/ode_geom.h"
 
@@ -75,6 +77,12 @@ void OdeRobot::create(dWorldID world) {
   kinematics.update(configuration);
   create_bodies(world);
   for (int j = 0; j < model.joint_count(); ++j) add_joint(j, world);
+  for (const PassiveJoint& passive : passive_joints_of(model)) {
+    OdeJoint& joint = joints[static_cast<std::size_t>(passive.joint)];
+    joint.passive = true;
+    joint.limit = dInfinity;
+    joint.target = {.q = passive.rest, .kp = passive.stiffness};
+  }
   create_geoms();
 }
 
@@ -227,9 +235,10 @@ Eigen::Isometry3d OdeRobot::link_in_world(int link) const noexcept {
 int OdeRobot::sole_at(int link, const Eigen::Vector3d& point) const noexcept {
   for (int side = 0; side < 2; ++side) {
     const Sole& sole = model.soles[static_cast<std::size_t>(side)];
-    if (link < 0 || sole.link != link) continue;
-    const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
-    if ((frame.inverse() * point).z() < kSoleSkin) return side;
+    const bool toe = is_toe_of(model, sole, link);
+    if (link < 0 || (sole.link != link && !toe)) continue;
+    const Eigen::Vector3d in_sole = (kinematics.link_in_world(sole.link) * sole.frame).inverse() * point;
+    if (toe ? under_sole(sole, in_sole, 0.0) : in_sole.z() < kSoleSkin) return side;
   }
   return -1;
 }

@@ -29,6 +29,7 @@ struct OdeJoint {
   dJointID joint = nullptr;
   dJointID motor = nullptr;
   bool prismatic = false;
+  bool passive = false;  // its target is a spring
   double middle = 0.0;                           // q at ODE's zero
   double lower = -dInfinity, upper = dInfinity;  // stops
   double limit = 0.0;                            // effort

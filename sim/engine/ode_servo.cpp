@@ -181,6 +181,7 @@ double OdeRobot::flank(const OdeJoint& joint) const noexcept {
 }
 
 void OdeRobot::set_servo(int joint, const ServoTarget& target) noexcept {
+  if (joints[static_cast<std::size_t>(joint)].passive) return;
   ServoTarget& own = joints[static_cast<std::size_t>(joint)].target;
   own = target;
   own.kp *= config.servo_kp_scale;

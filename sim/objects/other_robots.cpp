@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/math/index.h"
+#include "robot/description/model.h"
 #include "sim/articulated/richardson.h"
 
 namespace twinbus {
@@ -32,6 +33,7 @@ OtherRobots::OtherRobots(const WorldConfig& config) {
       added.joints.back().set_target(robot.servos[j]);
       added.joints.back().set_tau(robot.servos[j].tau);
     }
+    for (const PassiveJoint& p : passive_joints_of(model)) added.joints[at(p.joint)].make_spring(p.stiffness, p.rest);
     added.body.place(added.now);
   }
   if (!robots_.empty()) found_.reserve(kMostContacts);

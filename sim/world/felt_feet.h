@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
@@ -20,9 +22,12 @@ struct FeltFoot {
   Eigen::Isometry3d sensor = Eigen::Isometry3d::Identity();
   double radius = 0.0;  // of that ball [m]
 
+  std::vector<int> toes{};  // links that hang on its link
+
   // Whether a contact is beyond its force sensor.
   bool feels(const ContactPoint& contact) const noexcept {
-    return contact.sole >= 0 ? contact.sole == side : contact.link == link;
+    if (contact.sole >= 0) return contact.sole == side;
+    return contact.link == link || std::find(toes.begin(), toes.end(), contact.link) != toes.end();
   }
 };
 
@@ -30,6 +35,11 @@ struct FeltFeet {
   std::array<FeltFoot, kMaxFeet> foot;
   int count = 0;  // rows in use
 };
+
+// Whether a link is a toe of the foot with that sole.
+bool is_toe_of(const Model& model, const Sole& sole, int link) noexcept;
+// Whether a ball, in the sole's frame, is where the springs of the sole carry already: a toe presses nothing there.
+bool under_sole(const Sole& sole, const Eigen::Vector3d& center, double radius) noexcept;
 
 // Allocates.
 FeltFeet felt_feet(const Model& model);

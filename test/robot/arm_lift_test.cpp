@@ -208,8 +208,8 @@ TEST(Anatomy, FingersOfAPalmAreNoArms) {
   EXPECT_FALSE(says_hand(find_anatomy(loaded(torso(box("trunk", "0.3 0.3 0.6", "0 0 0.3"), "0.8")))));
 }
 
-// Fingers are fixed to their hand in a proposal, so nothing else is said of their joints.
-TEST(Proposal, RotorsOfFingersAreLeftOut) {
+// hrp1s with two fingers a hand that slide, proposed.
+Proposal proposed_with_fingers(const char* effort, std::string& slide) {
   const Model bare = load_urdf(test::hrp1s().folder + "/hrp1s.urdf", {});
   std::string text = bare.urdf_text;
   for (const Hand& hand : find_anatomy(bare).hands) {
@@ -220,18 +220,37 @@ TEST(Proposal, RotorsOfFingersAreLeftOut) {
                   "<link name='" + finger + "'><inertial><mass value='0.1'/><inertia ixx='1e-4' iyy='1e-4' izz='1e-4' ixy='0' ixz='0' "
                   "iyz='0'/></inertial><collision><geometry><box size='0.02 0.02 0.12'/></geometry></collision></link>"
                   "<joint name='" + finger + "_slide' type='prismatic'><origin xyz='0 " + y + " -0.1'/><parent link='" + palm +
-                  "'/><child link='" + finger + "'/><axis xyz='0 1 0'/><limit lower='0' upper='0.04' effort='20' velocity='0.1'/></joint>");
+                  "'/><child link='" + finger + "'/><axis xyz='0 1 0'/><limit lower='0' upper='0.04' effort='" + effort +
+                  "' velocity='0.1'/></joint>");
     }
   }
-  const std::string slide = bare.links[static_cast<std::size_t>(find_anatomy(bare).hands[0].link)].name + "_finger_0.03_slide";
+  slide = bare.links[static_cast<std::size_t>(find_anatomy(bare).hands[0].link)].name + "_finger_0.03_slide";
   ProposalSource source;
   source.urdf_name = "hrp1s.urdf";
   source.srdf_text = "<robot name='r'><rotor_params><joint name='" + slide + "' mass='0.01' gear_ratio='1'/>"
                      "<joint name='RLEG_KNEE' mass='0.02' gear_ratio='1'/></rotor_params></robot>";
-  const Proposal found = propose(load_repaired_urdf(text, bare.folder + "/hrp1s.urdf", {}, source.repairs), source);
+  return propose(load_repaired_urdf(text, bare.folder + "/hrp1s.urdf", {}, source.repairs), source);
+}
+
+// Fingers that no motor moves are fixed to their hand in a proposal, so nothing else is said of their joints.
+TEST(Proposal, RotorsOfFixedFingersAreLeftOut) {
+  std::string slide;
+  const Proposal found = proposed_with_fingers("0", slide);
   EXPECT_NE(found.yaml.find(slide), std::string::npos) << found.yaml;  // under fixed_joints
+  EXPECT_EQ(found.yaml.find("grippers:"), std::string::npos) << found.yaml;
   EXPECT_EQ(found.srdf.find("\"" + slide + "\" mass"), std::string::npos) << found.srdf;
   EXPECT_NE(found.srdf.find("\"RLEG_KNEE\" mass"), std::string::npos) << found.srdf;
+}
+
+TEST(Proposal, FingersOfARobotThatStandsMoveAsOneGroup) {
+  std::string slide;
+  const Proposal found = proposed_with_fingers("20", slide);
+  const std::size_t grippers = found.yaml.find("grippers:");
+  ASSERT_NE(grippers, std::string::npos) << found.yaml;
+  EXPECT_NE(found.yaml.find("soles:"), std::string::npos);
+  EXPECT_GT(found.yaml.find(slide), grippers) << "not under fixed_joints";
+  EXPECT_NE(found.yaml.find("- {joints: [" + slide), std::string::npos) << "it has a servo";
+  EXPECT_NE(found.srdf.find("\"" + slide + "\" mass"), std::string::npos) << found.srdf;
 }
 
 }  // namespace
