@@ -19,7 +19,7 @@
 #include "lcmtypes/msg/state_admission.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 namespace {
 
 constexpr int kPriority = 55;       // FIFO, as a controller's
@@ -197,6 +197,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::bridge
 
 int main(int argc, char** argv) { return twinbus::run_process("face", twinbus::run, argc, argv); }

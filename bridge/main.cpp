@@ -10,7 +10,7 @@
 #include "robot/description/load.h"
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 namespace {
 
 int run(int argc, char** argv) {
@@ -49,7 +49,7 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::bridge
 
 int main(int argc, char** argv) {
   return twinbus::run_process("bridge", twinbus::run, argc, argv);

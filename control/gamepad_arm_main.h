@@ -22,7 +22,7 @@
 #include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // The hand and the joint that are moved: where they are, whether another operator drives, what is asked for, and why it is
 // not done.
@@ -181,4 +181,4 @@ class GamepadArm {
   Mode mode_ = Mode::kNone;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

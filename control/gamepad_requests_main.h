@@ -9,7 +9,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/outgoing.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // What is sent besides GAMEPAD, again and again under the same sequence number until it cannot have
 // been missed.
@@ -49,4 +49,4 @@ class Requests {
   bool of_operator_ = false;  // mode_ is
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

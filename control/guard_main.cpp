@@ -17,7 +17,7 @@
 #include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/journal.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 namespace {
 
 constexpr int kPriority = 50;          // FIFO, below the controller's
@@ -184,6 +184,6 @@ class GuardProcess : RobotProcess {
 int run(int argc, char** argv) { return run_ready<GuardProcess>("guard", parse(argc, argv), kPriority); }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::control
 
 int main(int argc, char** argv) { return twinbus::run_process("guard", twinbus::run, argc, argv); }

@@ -17,7 +17,7 @@
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/node/missed_ticks.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 namespace {
 
 // FIFO, above the sources': its tick is the shortest, and a standby's long one must not delay it.
@@ -232,6 +232,6 @@ class Controller : RobotProcess {
 int run(int argc, char** argv) { return run_ready<Controller>("controller", parse(argc, argv), kPriority); }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::control
 
 int main(int argc, char** argv) { return twinbus::run_process("controller", twinbus::run, argc, argv); }

@@ -13,7 +13,7 @@
 #include "robot/description/load.h"
 #include "common/allocation/no_alloc.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class RobotProcess {
  protected:
@@ -82,4 +82,4 @@ int run_ready(const char* name, const Arguments& arguments, int priority) {
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

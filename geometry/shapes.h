@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 enum class ShapeKind { kBox, kSphere, kCylinder, kMesh };
 
@@ -37,4 +37,4 @@ inline Eigen::AlignedBox3d box_around(const std::vector<Eigen::Vector3d>& points
   return box;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -178,7 +178,7 @@ def struct(type_: Type) -> list[str]:
 
 
 def messages(types: list[Type]) -> str:
-    lines = ['#pragma once', '#include <array>', '#include <cstdint>', '', 'namespace twinbus {']
+    lines = ['#pragma once', '#include <array>', '#include <cstdint>', '', 'namespace twinbus::inline lcmtypes {']
     for type_ in types:
         for name, rule in type_.rules.items():
             if found := rule.argument(r'count (\d+) (k\w+)'):
@@ -186,17 +186,17 @@ def messages(types: list[Type]) -> str:
     for enumeration in (one for type_ in types for one in type_.enumerations):
         lines += ['', f'// {enumeration.about}', f'enum class {enumeration.name} : std::int8_t {{'] + ['  kNone = 0,'] * enumeration.zero
         lines += [f'  {camel(entry["name"])} = {entry["value"]},{comment(entry["about"])}' for entry in enumeration.entries] + ['};']
-    return '\n'.join(lines + [''] + [line for type_ in types for line in struct(type_)] + ['}  // namespace twinbus']) + '\n'
+    return '\n'.join(lines + [''] + [line for type_ in types for line in struct(type_)] + ['}  // namespace twinbus::lcmtypes']) + '\n'
 
 
 def labels(types: list[Type]) -> str:
-    lines = ['#pragma once', '#include "common/text/name_of.h"', '#include "lcmtypes/msg/messages.h"', '', 'namespace twinbus {',
+    lines = ['#pragma once', '#include "common/text/name_of.h"', '#include "lcmtypes/msg/messages.h"', '', 'namespace twinbus::inline lcmtypes {',
              '// label(x): x in sentences for people.  last_of(x): the largest value that a message may carry.']
     for enumeration in (one for type_ in types for one in type_.enumerations):
         names = ', '.join(f'"{name}"' for name in enumeration.labels())
         lines += [f'constexpr const char* label({enumeration.name} x) noexcept {{', f'  constexpr const char* kNames[] = {{{names}}};',
                   '  return name_of(x, kNames);', '}', f'constexpr int last_of({enumeration.name}) {{ return {enumeration.last}; }}', '']
-    return '\n'.join(lines + ['}  // namespace twinbus']) + '\n'
+    return '\n'.join(lines + ['}  // namespace twinbus::lcmtypes']) + '\n'
 
 
 def literal(number: str, kind: str) -> str:
@@ -250,13 +250,13 @@ def fields(type_: Type) -> list[str]:
 
 
 def fields_file(types: list[Type]) -> str:
-    lines = ['// Included by lcmtypes/bus/convert.cpp.', '#pragma once', '', 'namespace twinbus {', 'namespace {']
+    lines = ['// Included by lcmtypes/bus/convert.cpp.', '#pragma once', '', 'namespace twinbus::inline lcmtypes {', 'namespace {']
     lines += [line for type_ in types for line in fields(type_)]
-    return '\n'.join(lines + ['}  // namespace', '}  // namespace twinbus']) + '\n'
+    return '\n'.join(lines + ['}  // namespace', '}  // namespace twinbus::lcmtypes']) + '\n'
 
 
 def wire_table(types: list[Type]) -> str:
-    lines = ['#pragma once', '#include <cstdint>', '', '#include "lcmtypes/msg/messages.h"', '', 'namespace twinbus {', 'template <class T>',
+    lines = ['#pragma once', '#include <cstdint>', '', '#include "lcmtypes/msg/messages.h"', '', 'namespace twinbus::inline lcmtypes {', 'template <class T>',
              'struct Wire;']
     for type_ in types:
         sender, count = type_.find('sender'), type_.find('sequence')
@@ -265,15 +265,15 @@ def wire_table(types: list[Type]) -> str:
                   f'  static std::int64_t sender(const {type_.struct}& x) noexcept {{ return x.{sender}; }}']
         lines += [f'  static std::int64_t count(const {type_.struct}& x) noexcept {{ return x.{count}; }}'] if count else []
         lines += ['};']
-    return '\n'.join(lines + ['}  // namespace twinbus']) + '\n'
+    return '\n'.join(lines + ['}  // namespace twinbus::lcmtypes']) + '\n'
 
 
 def message_of(types: list[Type]) -> str:
     lines = ['#pragma once', '#include "lcmtypes/msg/messages.h"'] + [f'#include "twinbus/{type_.said.name}.hpp"' for type_ in types]
-    lines += ['', 'namespace twinbus {', 'template <class T>', 'struct MessageOf;']
+    lines += ['', 'namespace twinbus::inline lcmtypes {', 'template <class T>', 'struct MessageOf;']
     for type_ in types:
         lines += ['template <>', f'struct MessageOf<{type_.struct}> {{', f'  using type = {type_.said.name};', '};']
-    lines += ['}  // namespace twinbus', '', '// X(T) for every struct.', '#define TWINBUS_MESSAGES(X) ' + ' '.join(f'X({type_.struct})' for type_ in types)]
+    lines += ['}  // namespace twinbus::lcmtypes', '', '// X(T) for every struct.', '#define TWINBUS_MESSAGES(X) ' + ' '.join(f'X({type_.struct})' for type_ in types)]
     return '\n'.join(lines) + '\n'
 
 
@@ -314,7 +314,7 @@ def samples_file(types: list[Type]) -> str:
 
 
 def older_messages(types: list[Type], files: list[pathlib.Path]) -> str:
-    lines = ['// Included by lcmtypes/bus/older.cpp.', '#pragma once', '', 'namespace twinbus {', 'namespace {']
+    lines = ['// Included by lcmtypes/bus/older.cpp.', '#pragma once', '', 'namespace twinbus::inline lcmtypes {', 'namespace {']
     rows = []
     for file in files:  # of one type there may be several; as_before() makes the first of them
         was, = lcm_types.parse(file.read_text(encoding='utf-8'), f'older/{file.name}')
@@ -326,7 +326,7 @@ def older_messages(types: list[Type], files: list[pathlib.Path]) -> str:
             lines.append(f'constexpr std::uint8_t k{kind}{name}[] = {{{", ".join(map(str, numbers))}}};')
         lines.append(f'constexpr OlderPart kParts{name}[] = {{{", ".join(f"{{{a}, {b}, {c}}}" for a, b, c in older.parts)}}};')
         rows.append(f'{{kOlder{name}, {older.size}, kBlank{name}, kParts{name}}}')
-    return '\n'.join(lines + [f'constexpr OlderMessage kOlderMessages[] = {{{", ".join(rows)}}};', '}  // namespace', '}  // namespace twinbus']) + '\n'
+    return '\n'.join(lines + [f'constexpr OlderMessage kOlderMessages[] = {{{", ".join(rows)}}};', '}  // namespace', '}  // namespace twinbus::lcmtypes']) + '\n'
 
 
 def write(path: pathlib.Path, text: str) -> None:

@@ -13,7 +13,7 @@
 #include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/inverse_kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -213,4 +213,4 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

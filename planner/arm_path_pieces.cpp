@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 std::vector<ArmPathPiece> to_pieces(const ArmPlan& plan, const ArmPathIds& ids) {
   ArmPathPiece common;
@@ -45,4 +45,4 @@ std::vector<ArmPathPiece> to_pieces(const ArmPlan& plan, const ArmPathIds& ids) 
   return pieces;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -8,7 +8,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "planner/arm_planner.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct ArmPathIds {
   std::int64_t planner_id = 0;
@@ -20,4 +20,4 @@ struct ArmPathIds {
 // A failed plan is one message with pieces = 0 and the reason.  utime is left 0.
 std::vector<ArmPathPiece> to_pieces(const ArmPlan& plan, const ArmPathIds& ids);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -18,7 +18,7 @@
 #include "robot/collision/loop_joints.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -410,4 +410,4 @@ bool ArmPlanner::path_free(const ArmPlan& plan, const Configuration& start, doub
   return !plan.path.empty();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -23,7 +23,11 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
+class SplitMix64;
+}  // namespace twinbus::common
+
+namespace twinbus::inline planner {
 
 struct ArmPlannerConfig {
   double clearance = 0.020;        // kept to everything where start and goal allow it [m]
@@ -100,7 +104,7 @@ class ArmPlanner {
   bool understand(const std::vector<int>& carriers, const ArmGoal& goal, const Configuration& start,
                   const Eigen::Isometry3d& ground, Question& question, ArmPlan& plan) const;
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
-  bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
+  bool find_goals(class EdgeCheck& space, Question& question, SplitMix64& random,
                   ArmPlan& plan);
   const BallGroup& balls_of(const Obstacle& held);
   bool too_near(class EdgeCheck& space, const JointPoint& q, CollisionPair& pair);
@@ -124,4 +128,4 @@ class ArmPlanner {
 // One sentence for people: what was planned, or why not and what to do.
 std::string describe(const ArmPlan& plan);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -11,7 +11,7 @@
 #include "planner/search/free_space.h"
 #include "planner/timing/motion_effort.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct ArmPlanner::Question {
   const ArmGoal* goal = nullptr;
@@ -45,4 +45,4 @@ inline std::string too_heavy(const Model& model, const MotionEffort& effort, con
          " would need more than its effort limit to hold the arm";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

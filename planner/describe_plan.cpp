@@ -6,7 +6,7 @@
 #include "lcmtypes/msg/plan_refusal.h"
 #include "planner/arm_planner.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 std::string describe(const ArmPlan& plan) {
   if (plan.status == ArmPathStatus::kOk) {
@@ -24,4 +24,4 @@ std::string describe(const ArmPlan& plan) {
   return plan.status == ArmPathStatus::kBadGoal ? why + ": " + plan.complaint : why;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -8,7 +8,7 @@
 #include "planner/search/arm_lines.h"
 #include "planner/timing/motion_effort.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 class HeldLines : public LineTest {
  public:
@@ -36,4 +36,4 @@ class HeldLines : public LineTest {
   double share_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 constexpr double kTurn = 2.0 * M_PI;
@@ -48,4 +48,4 @@ SearchLimits JointTurns::limits() const {
   return limits;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

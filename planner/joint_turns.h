@@ -8,7 +8,7 @@
 #include "planner/timing/path_timing.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct JointTurns {
   JointTurns() = default;
@@ -25,4 +25,4 @@ struct JointTurns {
   std::vector<char> turns;  // of each joint: can it turn once around?
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

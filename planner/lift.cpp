@@ -9,7 +9,7 @@
 #include "planner/timing/rounded_path.h"
 #include "robot/kinematics/inverse_kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -101,4 +101,4 @@ TimedPath Lift::timed(const JointPath& way, const TimingLimits& limits, double k
   return path;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

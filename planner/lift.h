@@ -7,7 +7,7 @@
 #include "robot/collision/collision.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 class EdgeCheck;
 
@@ -33,4 +33,4 @@ class Lift {
   double nearest_ = 0.0;  // of what rests, at the start [m]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

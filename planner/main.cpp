@@ -20,7 +20,7 @@
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 namespace {
 
 constexpr double kWait = 0.01;         // [s] for a message
@@ -63,7 +63,7 @@ class PlannerProcess : RobotProcess {
   }
 
  private:
-  friend class RobotProcess;
+  friend class twinbus::RobotProcess;
   void hear_state(const RobotState& state) noexcept {
     const std::int64_t now = monotonic_ns();
     if (is_ours(state) && admission_.admit(state, now)) take(state, now);
@@ -174,6 +174,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::planner
 
 int main(int argc, char** argv) { return twinbus::run_process("planner", twinbus::run, argc, argv); }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 Configuration plan_start(const Model& model, const Configuration& measured, const RobotState& state,
                          const JointCommand& command) {
@@ -14,4 +14,4 @@ Configuration plan_start(const Model& model, const Configuration& measured, cons
   return start;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -6,7 +6,7 @@
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 // A set-point this near to its joint is where the motion goes on from, not where the servo's error has left the joint; one
 // farther away is none to start from.  As far as the guard believes a set-point [rad or m].
@@ -16,4 +16,4 @@ inline constexpr double kServoError = 0.1;
 Configuration plan_start(const Model& model, const Configuration& measured, const RobotState& state,
                          const JointCommand& command);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -4,7 +4,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 PlanWorker::PlanWorker(const Model& model) : planner_(model), thread_([this] { work(); }) {}
 
@@ -66,4 +66,4 @@ void PlanWorker::work() {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

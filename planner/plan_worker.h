@@ -15,7 +15,7 @@
 
 #include "planner/arm_planner.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct PlanQuestion {
   ArmGoal goal;
@@ -57,4 +57,4 @@ class PlanWorker {
   std::thread thread_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -5,7 +5,7 @@
 
 #include "sim/sim_adaptor_impl.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 static_assert(SimAdaptor::kMostTogether == kWorldLanes);
 
@@ -66,4 +66,4 @@ void SimAdaptor::advance_together(const std::vector<SimAdaptor*>& sims) noexcept
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 using emulated::CommandKind;
 using emulated::DeviceMode;
@@ -135,4 +135,4 @@ void EmulatedRobot::cycle(std::int64_t now_ns, emulated::StatePacket& packet) no
   emulated::seal(packet);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

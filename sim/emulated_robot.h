@@ -14,7 +14,7 @@
 #include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct EmulatedRobotOptions {
   double watchdog = 0.050;  // without a command for this long: hold the last set-point [s]
@@ -55,4 +55,4 @@ class EmulatedRobot {
   std::uint64_t cycles_ = 0, dropped_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 #include "sim/emulated_robot.h"
 #include "sim/scene/settings.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 namespace {
 
 constexpr std::int64_t kGiveUpAfter = 5;  // periods behind; then the robot's time is let slip
@@ -133,6 +133,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::sim
 
 int main(int argc, char** argv) { return twinbus::run_process("emulated_robot", twinbus::run, argc, argv); }

@@ -10,7 +10,7 @@
 #include "robot/description/model.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class LivePushes {
  public:
@@ -67,4 +67,4 @@ class LivePushes {
   std::array<One, kMost> pushes_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

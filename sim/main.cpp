@@ -14,7 +14,7 @@
 #include "sim/scene/settings.h"
 #include "sim/sim_adaptor.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 namespace {
 
 int run(int argc, char** argv) {
@@ -76,7 +76,7 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::sim
 
 int main(int argc, char** argv) {
   return twinbus::run_process("simulator", twinbus::run, argc, argv);

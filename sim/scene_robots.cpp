@@ -6,7 +6,7 @@
 
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 std::vector<OtherRobot> robots_of(const Scene& scene) {
   std::vector<OtherRobot> robots;
@@ -23,4 +23,4 @@ std::vector<OtherRobot> robots_of(const Scene& scene) {
   return robots;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -13,7 +13,7 @@
 #include "sim/world/world_origin.h"
 #include "sim/engine/make_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -432,4 +432,4 @@ bool SimAdaptor::held(int hand, ObstaclesPiece& out) const {
 
 const SimTruth* SimAdaptor::truth() const { return impl_->world ? &impl_->truth : nullptr; }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -9,7 +9,7 @@
 #include "sim/scene/scene.h"
 #include "sim/step_watch.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class SimAdaptor final : public RobotAdaptor {
  public:
@@ -47,4 +47,4 @@ class SimAdaptor final : public RobotAdaptor {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 #include "sim/world/static_equilibrium.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr int kMaxDelay = 64;  // ticks of servo delay
 
@@ -85,4 +85,4 @@ struct SimAdaptor::Impl {
   Status advance() noexcept;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -13,7 +13,7 @@
 #include "sim/world/step_trust.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class StepWatch {
  public:
@@ -86,4 +86,4 @@ class StepWatch {
   double seconds_ = 0.0, clock_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -22,7 +22,7 @@
 #include "viewer_log/log/recorder.h"
 #include "viewer_log/view/gap_meter.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 namespace {
 
 constexpr double kWait = 0.02;                   // [s]
@@ -246,6 +246,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log
 
 int main(int argc, char** argv) { return twinbus::run_process("recorder", twinbus::run, argc, argv); }

@@ -22,7 +22,7 @@
 #include "common/process/process.h"
 #include "viewer_log/log/log_player.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 namespace {
 
 constexpr char kReplay[] = "REPLAY_";
@@ -204,6 +204,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log
 
 int main(int argc, char** argv) { return twinbus::run_process("replay", twinbus::run, argc, argv); }

@@ -12,7 +12,7 @@
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // key=value pairs, given by `--set key=value` and by the stack file.
 struct AdaptorConfig {
@@ -67,4 +67,4 @@ class RobotAdaptor {
   virtual bool is_hardware() const { return true; }
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -14,12 +14,12 @@
 
 #include "bridge/adaptor/adaptor.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 inline constexpr std::uint32_t kAdaptorMagic = 0x54574142;  // "TWAB"
 inline constexpr std::uint32_t kAdaptorVersion = 1;         // of RobotAdaptor's virtual functions
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge
 
 extern "C" {
 

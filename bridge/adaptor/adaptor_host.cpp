@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -92,4 +92,4 @@ LoadedAdaptor::~LoadedAdaptor() {
   ::dlclose(library_);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -11,7 +11,7 @@
 #include "bridge/adaptor/adaptor.h"
 #include "bridge/adaptor/adaptor_abi.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // Of this installation: <folder of the program>/../lib/adaptors.
 std::string adaptor_folder();
@@ -39,4 +39,4 @@ class LoadedAdaptor {
   bool abandoned_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -12,7 +12,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class FrozenSensors {
  public:
@@ -51,4 +51,4 @@ class FrozenSensors {
   JointCommand written_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 template <class T>
 class Mailbox {
@@ -37,4 +37,4 @@ class Mailbox {
   std::uint8_t read_ = 2;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

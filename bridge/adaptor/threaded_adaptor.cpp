@@ -8,7 +8,7 @@
 
 #include "bridge/adaptor/mailbox.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -150,4 +150,4 @@ void ThreadedAdaptor::close() {
 
 bool ThreadedAdaptor::is_hardware() const { return shared_->inner->is_hardware(); }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

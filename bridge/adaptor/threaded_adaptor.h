@@ -10,7 +10,7 @@
 
 #include "bridge/adaptor/adaptor.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class ThreadedAdaptor final : public RobotAdaptor {
  public:
@@ -36,4 +36,4 @@ class ThreadedAdaptor final : public RobotAdaptor {
   bool hung_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "common/math/quintic_fade.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std::int64_t mask,
                         double dt, double duration, double torque_duration) noexcept {
@@ -63,4 +63,4 @@ void OffsetBlend::advance_and_apply(double dt, int joint_count, JointCommand& co
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

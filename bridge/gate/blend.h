@@ -13,7 +13,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct OffsetBlend {
   // Joints of the mask (bit per joint) start to fade from own, which was in force dt seconds [s]
@@ -41,4 +41,4 @@ struct OffsetBlend {
   PerJoint<float> kd{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -457,4 +457,4 @@ const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
   return effective_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

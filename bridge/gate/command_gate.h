@@ -20,6 +20,10 @@
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
+struct ProtocolProbe;
+}  // namespace twinbus
+
+namespace twinbus::inline bridge {
 
 enum class GateVerdict : std::int8_t {
   kAccepted = 0,
@@ -125,7 +129,7 @@ class CommandGate {
   bool held_after_plan() const noexcept { return held_after_plan_; }
 
  private:
-  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
+  friend struct twinbus::ProtocolProbe;  // test/protocol looks inside to tell states apart
   GateVerdict judge(const JointCommand& command, std::int64_t tick) const noexcept;
   PlanContext plan_context(std::int64_t tick) const noexcept;
   bool plan_ready(std::int64_t tick) const noexcept;
@@ -185,4 +189,4 @@ class CommandGate {
   MaskedBrake brake_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

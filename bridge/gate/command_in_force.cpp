@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -51,4 +51,4 @@ bool find_command_in_force(const RobotState& measured, const JointCommand& befor
   return false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

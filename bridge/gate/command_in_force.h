@@ -12,10 +12,10 @@
 #include "bridge/gate/gate_limits.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // Fills in_force.  False: a joint's torque comes of neither; in_force is the newest, with the torque that gives what was measured.
 bool find_command_in_force(const RobotState& measured, const JointCommand& before, const JointCommand& newest,
                            const GateLimits& limits, JointCommand& in_force) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

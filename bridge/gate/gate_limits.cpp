@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -52,4 +52,4 @@ GateLimits::GateLimits(const Model& model) : robot(&model) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -7,7 +7,7 @@
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // Arrays are per joint on the bus.
 struct GateLimits {
@@ -31,4 +31,4 @@ struct GateLimits {
   PerJoint<float> kp{}, kd{}, kp_max{}, kd_max{}, stop_kp{}, stop_kd{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

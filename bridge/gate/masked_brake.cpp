@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 MaskedBrake::Released MaskedBrake::hold(std::int64_t mask, const GateLimits& limits, const JointCommand& client,
                                         const MeasuredJoints& measured, JointCommand& effective) noexcept {
@@ -43,4 +43,4 @@ void MaskedBrake::apply(const GateLimits& limits, const JointCommand& effective,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

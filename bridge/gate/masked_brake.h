@@ -11,7 +11,7 @@
 #include "bridge/gate/soft_servos.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class MaskedBrake {
  public:
@@ -32,4 +32,4 @@ class MaskedBrake {
   std::int64_t joints_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

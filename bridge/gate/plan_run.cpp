@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 constexpr double kHolds = 1.0;   // the end of a plan, on its feet and with balance [s]
@@ -61,4 +61,4 @@ void PlanRun::set_points(std::int64_t tick, const Estimator* robot, JointCommand
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -11,6 +11,10 @@
 #include "robot/stop_plan/plan_follower.h"
 
 namespace twinbus {
+struct ProtocolProbe;
+}  // namespace twinbus
+
+namespace twinbus::inline bridge {
 
 class PlanRun {
  public:
@@ -44,7 +48,7 @@ class PlanRun {
   bool over(std::int64_t tick) const noexcept { return ended(tick - hold_ticks_); }
 
  private:
-  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
+  friend struct twinbus::ProtocolProbe;  // test/protocol looks inside to tell states apart
   const Model* model_;
   std::int64_t second_, hold_ticks_;  // [ticks]
   PlanAssembler assembler_;
@@ -53,4 +57,4 @@ class PlanRun {
   std::int64_t since_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -2,7 +2,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 constexpr float kSoft = 0.5F;  // of the stiffness of a stop
@@ -31,4 +31,4 @@ void stiffen(const MeasuredJoints& measured, const PerJoint<float>& kp, const Pe
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -9,7 +9,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // What was measured last, per joint on the bus.
 struct MeasuredJoints {
@@ -25,4 +25,4 @@ std::int64_t soft_joints(const JointCommand& command, const PerJoint<float>& kp,
 void stiffen(const MeasuredJoints& measured, const PerJoint<float>& kp, const PerJoint<float>& kd, std::int64_t mask,
              JointCommand& command) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

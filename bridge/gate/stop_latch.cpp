@@ -1,6 +1,6 @@
 #include "bridge/gate/stop_latch.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 StopLatch::StopLatch(std::uint64_t seed) noexcept : random_(seed) { draw_nonce(); }
 
@@ -58,4 +58,4 @@ void StopLatch::share(std::int32_t active_nonce, bool active_stopped) noexcept {
   if (latched() && active_stopped && active_nonce != spent_nonce) shared_nonce = active_nonce;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

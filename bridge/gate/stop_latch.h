@@ -14,7 +14,7 @@
 #include "common/math/splitmix64.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct StopLatch {
   explicit StopLatch(std::uint64_t seed = 1) noexcept;
@@ -51,4 +51,4 @@ struct StopLatch {
   unsigned next_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

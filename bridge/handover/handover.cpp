@@ -4,7 +4,7 @@
 
 #include "bridge/handover/switch_check.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -461,4 +461,4 @@ Transition Handover::tick_waiting(const HandoverInput& input, std::int64_t now_n
   return happened;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -36,6 +36,10 @@
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
+struct ProtocolProbe;
+}  // namespace twinbus
+
+namespace twinbus::inline bridge {
 
 struct HandoverConfig {
   std::int64_t run_id = 1;
@@ -162,7 +166,7 @@ struct Handover {
   std::int64_t counted_holder_tick = 0;  // holder_tick at the last begin_tick
 
  private:
-  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
+  friend struct twinbus::ProtocolProbe;  // test/protocol looks inside to tell states apart
   struct Peer {
     std::int64_t heard_ns = 0;
     RobotState state{};
@@ -197,4 +201,4 @@ struct Handover {
   Role asked_role_ = Role::kNone;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

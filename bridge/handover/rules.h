@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 enum class Rule : std::uint8_t {
   // command gate
@@ -66,4 +66,4 @@ using RuleSet = std::uint64_t;
 constexpr RuleSet without(Rule rule) { return RuleSet{1} << static_cast<unsigned>(rule); }
 constexpr bool holds(RuleSet off, Rule rule) { return (off & without(rule)) == 0; }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -76,4 +76,4 @@ Refusal compare_measured(const RobotState& active, const RobotState& target) noe
   return Refusal::kNone;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

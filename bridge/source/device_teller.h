@@ -10,7 +10,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class DeviceTeller {
  public:
@@ -66,4 +66,4 @@ class DeviceTeller {
   std::int64_t since_ns_ = 0, first_ns_ = 0, longest_ns_ = 0, told_ns_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

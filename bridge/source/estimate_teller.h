@@ -13,7 +13,7 @@
 #include "robot/description/model.h"
 #include "robot/estimation/inertial_leg_odometry.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class EstimateTeller {
  public:
@@ -52,4 +52,4 @@ class EstimateTeller {
   bool active_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -7,7 +7,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 constexpr double kUpright = 0.9394;    // cosine of 0.35 rad: from there on it is not as it stands
@@ -114,4 +114,4 @@ std::array<char, 200> FallWatch::cause() const noexcept {
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

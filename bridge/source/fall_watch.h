@@ -12,7 +12,7 @@
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // What a source knows while its robot begins to tilt.
 struct FallContext {
@@ -57,4 +57,4 @@ class FallWatch {
   Push push_, led_;        // the last one; the last one when it began to tilt
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 std::vector<ModelTextPiece> model_text_pieces(const Model& model, const std::string& scene_text,
                                               std::int64_t run_id) {
@@ -29,4 +29,4 @@ std::vector<ModelTextPiece> model_text_pieces(const Model& model, const std::str
   return pieces;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -9,10 +9,10 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // URDF, SRDF, robot.yaml and, if not empty, the scene; an empty text has no piece.
 std::vector<ModelTextPiece> model_text_pieces(const Model& model, const std::string& scene_text,
                                               std::int64_t run_id);
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

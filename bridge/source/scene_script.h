@@ -11,7 +11,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/step_list.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // A mode takes effect at tick at / period; a velocity or a pad is said again and again while it lasts, as a user's program
 // or a pad does: silence ends it.
@@ -108,4 +108,4 @@ class SceneScript {
   double period_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

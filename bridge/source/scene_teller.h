@@ -12,7 +12,7 @@
 #include "bridge/adaptor/adaptor.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class SceneTeller {
  public:
@@ -85,4 +85,4 @@ class SceneTeller {
   int loose_piece_ = 0, loose_pieces_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

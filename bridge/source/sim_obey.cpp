@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::array<char, 160> obey_sim_request(const SimRequest& request, const Model& m
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

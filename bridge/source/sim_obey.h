@@ -8,10 +8,10 @@
 #include "bridge/source/sim_pace.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // Does it; gives the sentence for people, zero-terminated.
 std::array<char, 160> obey_sim_request(const SimRequest& request, const Model& model,
                                        SimPace& clock, RobotAdaptor& adaptor) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -9,7 +9,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class SimPace {
  public:
@@ -81,4 +81,4 @@ class SimPace {
   bool stands_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -77,4 +77,4 @@ void Source::fill_status() noexcept {
   status_.hardware = handover_.config.hardware;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

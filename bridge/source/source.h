@@ -29,6 +29,10 @@
 #include "robot/estimation/estimator.h"
 
 namespace twinbus {
+struct ProtocolProbe;
+}  // namespace twinbus
+
+namespace twinbus::inline bridge {
 
 struct SourceConfig {
   std::int64_t run_id = 1;  // random, below 2^53
@@ -88,7 +92,7 @@ class Source {
   Transition last_transition() const noexcept { return transition_; }
 
  private:
-  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
+  friend struct twinbus::ProtocolProbe;  // test/protocol looks inside to tell states apart
   std::int64_t gate_clock(std::int64_t now_ns) const noexcept;
   HandoverInput handover_input(std::int64_t now_ns) const noexcept;
   bool walking(std::int64_t now_ns) const noexcept;  // the controller says so
@@ -151,4 +155,4 @@ class Source {
   std::int64_t slept_at_ns_ = 0, silent_at_ns_ = 0;  // when what the context names was
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

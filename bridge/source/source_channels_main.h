@@ -5,7 +5,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 inline const Channel<RobotState>& own_channel(SourceKind kind) {
   switch (kind) {
@@ -18,4 +18,4 @@ inline const Channel<RobotState>& own_channel(SourceKind kind) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

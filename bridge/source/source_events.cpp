@@ -11,7 +11,7 @@
 #include "lcmtypes/msg/status.h"
 #include "robot/stop_plan/plan_assembler.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -193,4 +193,4 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   return false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

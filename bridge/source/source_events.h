@@ -8,7 +8,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // "LLEG_KNEE: position 2.7 rad asked, 2.62 given"; empty when nothing was cut.
 std::array<char, 200> cut_sentence(const FirstCut& cut, const Model& model) noexcept;
@@ -28,4 +28,4 @@ class CutTeller {
 // that much closer. False when nothing is left to say.  Call until false.  Cuts and the device have their own tellers.
 bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

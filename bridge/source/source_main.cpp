@@ -19,7 +19,7 @@
 #include "common/time/latency_histogram.h"
 #include "common/allocation/no_alloc.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -461,4 +461,4 @@ int run_source_main(const SourceMainOptions& options, const Model& model, RobotA
   return shell.run();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -17,7 +17,7 @@
 #include "common/process/options.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct SourceMainOptions {
   std::string program = "source";  // in front of every line it prints
@@ -54,4 +54,4 @@ void add_source_options(Options& parser, SourceMainOptions& options, bool simula
 // failed for good. Throws std::runtime_error if the bus cannot be opened.
 int run_source_main(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor);
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -11,7 +11,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/estimation/point_legs.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -474,4 +474,4 @@ StopRequest Source::take_stop_to_publish(std::int64_t now_ns) noexcept {
   return stop;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

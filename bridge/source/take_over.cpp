@@ -6,7 +6,7 @@
 #include "bridge/source/source.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 constexpr std::int64_t kOldCommands = 2;  // command timeouts; what is older is no set-point to take over
@@ -32,4 +32,4 @@ void Source::adopt_imposed() noexcept {
   gate_.blend_again(jump ? limits_->blend_s : 0.0);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

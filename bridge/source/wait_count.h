@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class WaitCount {
  public:
@@ -29,4 +29,4 @@ class WaitCount {
   std::array<char, 160> text_{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

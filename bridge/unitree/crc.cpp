@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -30,4 +30,4 @@ std::uint32_t crc_of_words(std::span<const std::byte> bytes) noexcept {
   return r;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <span>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // bytes.size() must be a multiple of 4; what is beyond the last whole word is left out.
 std::uint32_t crc_of_words(std::span<const std::byte> bytes) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

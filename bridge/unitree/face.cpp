@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "robot/estimation/point_legs.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -330,4 +330,4 @@ bool Face::take_command(JointCommand& command, std::int64_t now_ns) noexcept {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

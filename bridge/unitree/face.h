@@ -24,7 +24,7 @@
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct FaceOptions {
   UnitreeFamily family = UnitreeFamily::kHg;
@@ -114,4 +114,4 @@ class Face {
   FaceNotes notes_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 void FaceNotes::add(FaceNote note, int severity, std::int64_t now_ns, const char* format, ...) noexcept {
   const auto i = static_cast<std::size_t>(note);
@@ -27,4 +27,4 @@ bool FaceNotes::take(FaceLine& line) noexcept {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

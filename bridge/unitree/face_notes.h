@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 enum class FaceNote : std::int8_t {
   kProgramBegins = 0,
@@ -50,4 +50,4 @@ class FaceNotes {
   std::size_t first_ = 0, held_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 inline constexpr int kHgMotors = 35;
 inline constexpr int kGoMotors = 20;
@@ -129,4 +129,4 @@ static_assert(sizeof(GoLowState) == 1180);
 
 inline constexpr int kLargestFrame = sizeof(HgLowState);
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -8,7 +8,7 @@
 
 #include "bridge/unitree/crc.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -257,4 +257,4 @@ FrameVerdict decode(std::span<const std::byte> frame, UnitreeFamily family, LowR
   return family == UnitreeFamily::kHg ? open_and_take<HgLowState>(frame, reading) : open_and_take<GoLowState>(frame, reading);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

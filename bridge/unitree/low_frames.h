@@ -12,7 +12,7 @@
 
 #include "bridge/unitree/frames.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 enum class UnitreeFamily : std::int8_t { kHg, kGo };
 
@@ -75,4 +75,4 @@ void encode(const LowReading& reading, UnitreeFamily family, std::span<std::byte
 FrameVerdict decode(std::span<const std::byte> frame, UnitreeFamily family, LowCommand& command) noexcept;
 FrameVerdict decode(std::span<const std::byte> frame, UnitreeFamily family, LowReading& reading) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

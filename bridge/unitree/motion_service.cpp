@@ -1,6 +1,6 @@
 #include "bridge/unitree/motion_service.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 ServiceAnswer motion_service(std::int64_t api_id, std::string_view) noexcept {
   constexpr std::int32_t kNotImplemented = 3203;  // of the vendor's server: it has no such call
@@ -22,4 +22,4 @@ ServiceAnswer motion_service(std::int64_t api_id, std::string_view) noexcept {
   return {kNotImplemented, ""};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct ServiceAnswer {
   std::int32_t code = 0;  // 0 done
@@ -17,4 +17,4 @@ struct ServiceAnswer {
 // parameter: JSON, from outside; only SelectMode would use it, and is refused: there is no motion control of the vendor here.
 ServiceAnswer motion_service(std::int64_t api_id, std::string_view parameter) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

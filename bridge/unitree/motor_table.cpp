@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -111,4 +111,4 @@ MotorOrder motor_order(const Model& model, UnitreeFamily family) {
   return order;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

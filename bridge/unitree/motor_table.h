@@ -9,7 +9,7 @@
 #include "bridge/unitree/low_frames.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct MotorOrder {
   std::string robot;                      // G1, Go2, Go1
@@ -25,4 +25,4 @@ MotorOrder motor_order(const Model& model, UnitreeFamily family);
 // "unitree_hg", "unitree_go".
 const char* family_name(UnitreeFamily family) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

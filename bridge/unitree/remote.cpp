@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::array<std::uint8_t, kRemoteBytes> remote_of(const Gamepad& pad) noexcept {
   return bytes;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -11,9 +11,9 @@
 #include "bridge/unitree/frames.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 // pad.connected false gives zeros.
 std::array<std::uint8_t, kRemoteBytes> remote_of(const Gamepad& pad) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

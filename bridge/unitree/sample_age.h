@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 class SampleAge {
  public:
@@ -39,4 +39,4 @@ class SampleAge {
   std::int64_t least_ = kNothing, before_ = kNothing;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -23,12 +23,12 @@ namespace {
 [[gnu::tls_model("initial-exec")]] thread_local std::int64_t allocations = 0;
 }  // namespace
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 std::int64_t thread_allocations() noexcept { return allocations; }
 bool allocations_counted() noexcept { return TWINBUS_COUNT_ALLOCATIONS != 0; }
 
-}  // namespace twinbus
+}  // namespace twinbus::common
 
 #if TWINBUS_COUNT_ALLOCATIONS
 

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Calls of malloc, calloc, realloc and the aligned ones by the calling thread since it started.
 std::int64_t thread_allocations() noexcept;
@@ -31,4 +31,4 @@ class NoAlloc {
   std::int64_t start_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

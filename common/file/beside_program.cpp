@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace fs = std::filesystem;
 
@@ -25,4 +25,4 @@ bool program_is_installed() {
          bin.parent_path().parent_path().filename() == "lib";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // The path of `what` ("config/robots", "viewer_log/web/dist"): looked for in the program's folder and the three above it, in
 // each also below share/twinbus.  `otherwise` if it is nowhere there.
@@ -13,4 +13,4 @@ std::string beside_program(const std::string& what, const std::string& otherwise
 // The program is an installed one (PREFIX/lib/twinbus/bin), not one of a build folder.
 bool program_is_installed();
 
-}  // namespace twinbus
+}  // namespace twinbus::common

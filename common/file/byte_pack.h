@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class Packer {
  public:
@@ -73,4 +73,4 @@ class Unpacker {
   bool broken_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

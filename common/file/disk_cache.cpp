@@ -16,7 +16,7 @@
 
 #include "common/file/byte_pack.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 
@@ -203,4 +203,4 @@ void use_user_cache() {
                                              std::getenv("XDG_CACHE_HOME"), std::getenv("HOME")));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

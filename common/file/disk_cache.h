@@ -15,7 +15,7 @@
 
 #include "common/file/fingerprint.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class DiskCache {
  public:
@@ -59,4 +59,4 @@ void use_user_cache();
 // $TWINBUS_CACHE and so on, read from the arguments (null: not set).
 std::string user_cache_folder(const char* chosen, const char* xdg, const char* home);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

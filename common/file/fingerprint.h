@@ -15,7 +15,7 @@
 #include "common/math/splitmix64.h"
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 struct Fingerprint {
   std::uint64_t high = 0, low = 0;
@@ -67,4 +67,4 @@ class FingerprintMaker {
   std::uint64_t high_ = 0x243f6a8885a308d3U, low_ = 0x13198a2e03707344U;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

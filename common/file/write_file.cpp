@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace fs = std::filesystem;
 
@@ -38,4 +38,4 @@ void write_new(const std::string& file, const std::string& text) {
   write_file(file, text);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

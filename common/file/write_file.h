@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Over what was there; into a device or a pipe too.
 void write_file(const std::string& file, const std::string& text);
@@ -13,4 +13,4 @@ void write_whole(const std::string& file, const std::string& text);
 // Never over a file that is there; makes the folder.
 void write_new(const std::string& file, const std::string& text);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

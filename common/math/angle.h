@@ -2,8 +2,8 @@
 
 #pragma once
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 inline constexpr double kDegrees = 57.29577951308232;  // in one radian
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 constexpr std::size_t at(int index) noexcept { return static_cast<std::size_t>(index); }
 
 // The bit of a joint in a hold mask; 0 <= joint < 64.
 constexpr std::int64_t bit(int joint) noexcept { return std::int64_t{1} << joint; }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class KeyIndex {
  public:
@@ -48,4 +48,4 @@ class KeyIndex {
   std::vector<std::size_t> used_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Matrix of the cross product: skew(a) b = a x b.
 inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) noexcept {
@@ -111,4 +111,4 @@ inline Eigen::Isometry3d upright(const Eigen::Isometry3d& pose) noexcept {
   return frame;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

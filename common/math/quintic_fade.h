@@ -6,7 +6,7 @@
 
 #pragma once
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // h0, of any s >= 0.
 inline double fade_left(double s) noexcept {
@@ -27,4 +27,4 @@ inline QuinticFade quintic_fade(double s) noexcept {
           1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s4};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

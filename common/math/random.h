@@ -9,7 +9,7 @@
 
 #include "common/math/splitmix64.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // xoshiro256** (Blackman and Vigna 2018), seeded by splitmix64.
 class Random {
@@ -53,4 +53,4 @@ class Random {
   bool has_spare_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class SplitMix64 {
  public:
@@ -26,4 +26,4 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -11,7 +11,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 
@@ -163,4 +163,4 @@ double Arguments::word_number(std::size_t index, const std::string& name, double
   return number_of(command_, name, word(index), least, most);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class UsageError : public std::runtime_error {
  public:
@@ -66,4 +66,4 @@ class Arguments {
 
 std::string help_text(const Syntax& syntax);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -7,7 +7,7 @@
 #include "common/file/beside_program.h"
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 std::string as_typed(std::string text, bool installed) {
   constexpr std::string_view kHere = "./twinbus";
@@ -35,4 +35,4 @@ void print_typed(std::FILE* to, const char* format, ...) {
   va_end(arguments);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

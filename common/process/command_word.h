@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // The text with every ./twinbus as it is typed here, or where it is installed or not.
 std::string as_typed(std::string text);
@@ -16,4 +16,4 @@ std::string as_typed(std::string text, bool installed);
 // std::fprintf, as typed.
 __attribute__((format(printf, 2, 3))) void print_typed(std::FILE* to, const char* format, ...);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -5,7 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 inline void end_first_without_memory() noexcept {
   const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -14,4 +14,4 @@ inline void end_first_without_memory() noexcept {
   ::close(file);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

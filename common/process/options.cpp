@@ -11,7 +11,7 @@
 #include "common/text/formatted.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 Options::Options(std::string program, std::string summary)
     : program_(std::move(program)), summary_(std::move(summary)) {}
@@ -234,4 +234,4 @@ void add_common(Options& options, CommonOptions& common) {
   options.alias("--run-id");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

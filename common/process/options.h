@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class Options {
  public:
@@ -85,4 +85,4 @@ struct CommonOptions {
 
 void add_common(Options& options, CommonOptions& common);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

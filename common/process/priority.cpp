@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 constexpr int kHighest = 80;  // FIFO priority of anything in a stack
@@ -41,4 +41,4 @@ const char* to_text(RealTime real_time) noexcept {
   return real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

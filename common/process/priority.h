@@ -4,7 +4,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Whether this process may have the FIFO priority of a stack's loops, and so keep a hard clock; TWINBUS_FIFO=0 says no.
 bool may_enter_real_time() noexcept;
@@ -16,4 +16,4 @@ void give_way() noexcept;
 RealTime enter_real_time(int priority, const char* program);
 const char* to_text(RealTime real_time) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -21,7 +21,7 @@
 #include "common/process/command_word.h"
 #include "common/text/printable.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 
@@ -152,4 +152,4 @@ void go_ahead_of_ordinary_programs() noexcept {
   pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

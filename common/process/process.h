@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Installs handlers for SIGINT and SIGTERM; a second signal ends the process at once.
 void catch_quit_signals();
@@ -41,4 +41,4 @@ RealTime enter_real_time(int priority, std::string* why = nullptr);
 // programs without real-time priority.  Where that is not allowed, nothing happens.
 void go_ahead_of_ordinary_programs() noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -6,7 +6,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class Ticker {
  public:
@@ -25,4 +25,4 @@ class Ticker {
   std::int64_t due_ = monotonic_ns();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

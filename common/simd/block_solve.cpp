@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 
@@ -197,4 +197,4 @@ bool BlockSolve::solve(double* right) noexcept {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

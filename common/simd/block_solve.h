@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class BlockSolve {
  public:
@@ -58,4 +58,4 @@ class BlockSolve {
   std::vector<Part> right_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 InstructionSet most_instruction_set() noexcept {
   static const InstructionSet most = [] {
@@ -28,4 +28,4 @@ InstructionSet best_instruction_set() noexcept {
 #endif
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

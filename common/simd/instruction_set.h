@@ -1,7 +1,7 @@
 // Which vector instructions this machine has, for kernels that are compiled for several and give the same bits by each.
 #pragma once
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
@@ -12,4 +12,4 @@ InstructionSet most_instruction_set() noexcept;
 // The widest that this machine has and TWINBUS_SIMD allows.
 InstructionSet best_instruction_set() noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -23,7 +23,7 @@
 #endif
 #define TWINBUS_INLINE inline __attribute__((always_inline))
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // The alignment is said: g++ would align by the widest register of the baseline only.
 typedef double Vec4 __attribute__((vector_size(32), aligned(32)));
@@ -110,4 +110,4 @@ TWINBUS_INLINE void sine_cosine(const Vec4& angle, Vec4& sine, Vec4& cosine) noe
   std::memcpy(&cosine, &to_cosine, sizeof cosine);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 std::size_t edits(const std::string& a, const std::string& b) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
@@ -62,4 +62,4 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return list;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

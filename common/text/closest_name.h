@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Edits of one character that turn a into b (Levenshtein), capitals ignored.
 std::size_t edits(const std::string& a, const std::string& b);
@@ -31,4 +31,4 @@ std::string suggestion(const std::string& name, const std::vector<Named>& candid
   return suggestion(name, names);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 std::string formatted_list(const char* format, std::va_list arguments) {
   std::va_list again;
@@ -22,4 +22,4 @@ std::string formatted(const char* format, ...) {
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -7,9 +7,9 @@
 #include <cstdarg>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...);
 __attribute__((format(printf, 1, 0))) std::string formatted_list(const char* format, std::va_list arguments);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

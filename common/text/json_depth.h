@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Of what a page asks, the same for the viewer, which takes it, and for `up`, which does it.
 constexpr int kDeepestWish = 8;                                  // brackets within each other
@@ -27,4 +27,4 @@ inline bool nests_deeper(const std::string& json, int most) {
   return false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // names[i] of the enumerator with value i; otherwise for a value that this version does not know.
 template <class E, std::size_t N>
@@ -14,4 +14,4 @@ constexpr const char* name_of(E value, const char* const (&names)[N],
   return i < N ? names[i] : otherwise;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 std::size_t printable_letter(std::string_view text) noexcept {
   if (text.empty()) return 0;
@@ -52,4 +52,4 @@ std::string printable(std::string_view text, std::size_t most, bool lines) {
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 inline constexpr std::size_t kLongestError = 4000;  // of a sentence and its last lines [bytes]
 
@@ -21,4 +21,4 @@ std::string printable(std::string_view text, std::size_t most = 2000, bool lines
 // The same in place, as long as it is.
 void make_printable(char* text, std::size_t size) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::common

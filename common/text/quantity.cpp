@@ -4,7 +4,7 @@
 #include <limits>
 #include <string_view>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 double quantity_of(const std::string& text, std::span<const Unit> units) {
   char* end = nullptr;
@@ -17,4 +17,4 @@ double quantity_of(const std::string& text, std::span<const Unit> units) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 struct Unit {
   const char* name;  // "" is the number alone
@@ -16,4 +16,4 @@ struct Unit {
 // these.
 double quantity_of(const std::string& text, std::span<const Unit> units);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -10,7 +10,7 @@
 #include "common/text/printable.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 
@@ -229,4 +229,4 @@ void ConfigNode::fail(const std::string& key, const std::string& message) const 
           printable(key, 100) + (impl_->path.empty() ? "" : " of " + impl_->path) + " " + message);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

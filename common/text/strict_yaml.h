@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class ConfigNode {
  public:
@@ -61,4 +61,4 @@ class ConfigNode {
   std::shared_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -5,7 +5,7 @@
 #include "common/text/formatted.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 std::string svg_number(double x) {
   return formatted("%.6g", x);
@@ -46,4 +46,4 @@ std::vector<double> svg_ticks(double low, double high, int most) {
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

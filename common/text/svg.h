@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 // Six digits.
 std::string svg_number(double x);
@@ -18,4 +18,4 @@ std::string svg_sheet(double width, double height, const std::string& pieces);
 // Round numbers, at most so many of them between two limits: 1, 2 or 5 times a power of ten apart.
 std::vector<double> svg_ticks(double low, double high, int most);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

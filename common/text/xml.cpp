@@ -14,7 +14,7 @@
 
 #include "common/text/printable.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 const std::string* XmlElement::attribute(const std::string& key) const {
   for (const auto& [name_of, value] : attributes) {
@@ -225,4 +225,4 @@ bool parse_numbers(const std::string& text, double* values, int count) {
   return at == end;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

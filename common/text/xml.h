@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 struct XmlElement {
   std::string name;
@@ -48,4 +48,4 @@ void append_xml(const XmlElement& element, std::string& text);
 // text is anything else or has another count.
 bool parse_numbers(const std::string& text, double* values, int count);
 
-}  // namespace twinbus
+}  // namespace twinbus::common

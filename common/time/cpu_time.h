@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 inline double thread_cpu_seconds() noexcept {
   timespec now{};
@@ -26,4 +26,4 @@ inline double cost_of_thread_clock() noexcept {
   return between[25];
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -12,7 +12,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 namespace {
 
@@ -154,4 +154,4 @@ std::int64_t JitterProbe::stood_still_ns(std::int64_t from_ns, std::int64_t to_n
 
 std::int64_t JitterProbe::missed() const noexcept { return shared_->missed.load(); }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

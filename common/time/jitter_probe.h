@@ -12,7 +12,7 @@
 #include <memory>
 #include <span>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 struct Interval {
   std::int64_t from_ns = 0, to_ns = 0;
@@ -45,4 +45,4 @@ class JitterProbe {
   std::unique_ptr<Shared> shared_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

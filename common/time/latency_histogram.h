@@ -12,7 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class RateStats {
  public:
@@ -83,4 +83,4 @@ class RateStats {
   std::int64_t min_ = INT64_MAX;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -15,7 +15,7 @@
 
 #include "common/time/cpu_time.h"
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 class PartClock {
  public:
@@ -96,4 +96,4 @@ class PartScope {
   PartClock* clock_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::common

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline common {
 
 inline std::string time_name() {
   const std::time_t now = std::time(nullptr);
@@ -16,4 +16,4 @@ inline std::string time_name() {
   return name;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::common

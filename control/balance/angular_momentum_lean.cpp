@@ -1,6 +1,6 @@
 #include "control/balance/angular_momentum_lean.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void TrunkYield::start(const Eigen::Vector2d& base, const Eigen::Vector2d& waist,
                        const Eigen::Vector2d& most_waist) noexcept {
@@ -38,4 +38,4 @@ void TrunkYield::update(const Eigen::Vector2d& wanted, const Eigen::Vector2d& an
   waist_angle_ += dt * waist_rate_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

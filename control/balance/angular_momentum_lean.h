@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct TrunkYieldGains {
   double frequency = 8.0;    // w [rad/s]
@@ -53,4 +53,4 @@ class TrunkYield {
   Eigen::Vector2d waist_acceleration_ = Eigen::Vector2d::Zero();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Of a hand's own joints, the one nearest to the trunk that turns about x.
 ArmClearance::ArmClearance(const Model& model, const ArmClearanceGains& gains) : gains_(gains) {
@@ -39,4 +39,4 @@ void ArmClearance::update(double lean, double dt) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

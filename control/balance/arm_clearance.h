@@ -10,7 +10,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct ArmClearanceGains {
   double free = 0.15;   // lean that moves no arm [rad]
@@ -45,4 +45,4 @@ class ArmClearance {
   std::array<Arm, 2> arm_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

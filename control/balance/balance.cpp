@@ -8,7 +8,7 @@
 #include "robot/kinematics/leg_chain.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -347,4 +347,4 @@ void Balance::update(const Estimator& estimator, const Eigen::VectorXd&, double 
   look_for_nan();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -23,7 +23,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class Balance final : public Behavior {
  public:
@@ -110,4 +110,4 @@ class Balance final : public Behavior {
   std::vector<ExternalWrench> no_wrench_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

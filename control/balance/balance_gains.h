@@ -7,7 +7,7 @@
 #include "control/balance/stabilizer.h"
 #include "control/balance/angular_momentum_lean.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct BalanceGains {
   StabilizerGains stabilizer;
@@ -34,4 +34,4 @@ struct BalanceGains {
   double home_forward = -0.020;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kMostAmplitude = 0.10;    // [m]
@@ -155,4 +155,4 @@ bool ComMotion::resting() const noexcept {
          lean_rate_.norm() < 1e-3 && given_rate_.norm() < 1e-3 && !is_given_ && !was_given_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -16,7 +16,7 @@
 #include "control/joint/min_jerk.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class ComMotion {
  public:
@@ -70,4 +70,4 @@ class ComMotion {
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

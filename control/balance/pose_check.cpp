@@ -6,7 +6,7 @@
 #include "control/balance/straight_way.h"
 #include "robot/estimation/support_polygon.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr int kPlaces = 20;        // of the way that are looked at
@@ -54,4 +54,4 @@ const char* PoseCheck::why_not(const Estimator& estimator, const PerJoint<double
   return nullptr;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -9,7 +9,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class PoseCheck {
  public:
@@ -27,4 +27,4 @@ class PoseCheck {
   Kinematics kinematics_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr int kRounds = 16;            // of the inverse kinematics
@@ -55,4 +55,4 @@ const char* SquatCheck::why_not(const Estimator& estimator, double depth) noexce
   return nullptr;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

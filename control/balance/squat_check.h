@@ -11,7 +11,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class SquatCheck {
  public:
@@ -29,4 +29,4 @@ class SquatCheck {
   std::vector<ExternalWrench> wrench_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

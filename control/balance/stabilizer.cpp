@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void Stabilizer::start() noexcept {
   integral_.setZero();
@@ -48,4 +48,4 @@ void Stabilizer::update(const ComPlan& plan, const Eigen::Vector2d& capture,
   share_ = share;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -19,7 +19,7 @@
 
 #include "control/legs/wrench_share.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct StabilizerGains {
   double dcm = 4.0;          // k [1/s]: the rate at which a DCM error decays
@@ -63,4 +63,4 @@ class Stabilizer {
   ZmpShare share_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kPosture = 8.0;  // rate at which what a seventh joint leaves free comes back [1/s]
@@ -93,4 +93,4 @@ void StandingMotion::keep_posture(const Configuration& now, Eigen::VectorXd& qdd
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -17,7 +17,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/kinematics/leg_motion.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class StandingMotion {
  public:
@@ -51,4 +51,4 @@ class StandingMotion {
   Eigen::Matrix3d com_by_base_ = Eigen::Matrix3d::Identity();  // inverse
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

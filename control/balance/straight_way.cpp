@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void place_on_way(const Model& model, const PerJoint<double>& from, const PerJoint<double>& to, std::int64_t mask, double share,
                   Configuration& place) noexcept {
@@ -18,4 +18,4 @@ void place_on_way(const Model& model, const PerJoint<double>& from, const PerJoi
   set_joints(model, there, place);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

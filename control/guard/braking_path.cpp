@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void spread_to_mimics(const Model& model, std::vector<Course>& courses) noexcept {
   for (int j = 0; j < model.joint_count(); ++j) {
@@ -126,4 +126,4 @@ void CourseWay::go(const Eigen::VectorXd& here, const Shares& shares,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -11,7 +11,7 @@
 #include "control/guard/set_point_predictor.h"
 #include "robot/collision/continuous.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Gives mimic joints the courses of the joints they follow.
 void spread_to_mimics(const Model& model, std::vector<Course>& courses) noexcept;
@@ -49,4 +49,4 @@ class CourseWay {
   double longest_ = 0.0;  // brake [s]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -13,7 +13,7 @@
 #include "common/math/index.h"
 #include "common/time/part_clock.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -330,4 +330,4 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   return report;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

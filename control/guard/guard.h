@@ -26,7 +26,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct GuardConfig {
   std::int64_t guard_id = 1;
@@ -106,4 +106,4 @@ class Guard {
 // the text.  obstacles: those that the guard was given.
 void describe(const Model& model, const std::vector<Obstacle>& obstacles, const GuardCause& cause, std::span<char> text) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -291,4 +291,4 @@ bool Guard::Impl::look_along(const Courses& courses) noexcept {
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -16,7 +16,7 @@
 #include "common/math/index.h"
 #include "robot/collision/near_pairs.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct Guard::Impl {
   static constexpr int kMostOpen = 128;  // pairs that are looked at one by one at once
@@ -118,4 +118,4 @@ struct Guard::Impl {
   void fill_rows() noexcept;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -11,7 +11,7 @@
 #include "control/guard/guard.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class GuardWatch {
  public:
@@ -56,4 +56,4 @@ class GuardWatch {
   std::int64_t run_id_ = 0, last_run_id_ = 0;  // of the states
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

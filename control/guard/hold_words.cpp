@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "robot/collision/thing_name.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kQuiet = 2.0;  // who goes on asking for what is held is told so often [s]
@@ -45,4 +45,4 @@ const char* HoldWords::tell(std::int64_t waits, std::int64_t given_up, const Gua
   return text.data();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -8,7 +8,7 @@
 
 #include "control/guard/guard.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class HoldWords {
  public:
@@ -27,4 +27,4 @@ class HoldWords {
   std::vector<Obstacle> none_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

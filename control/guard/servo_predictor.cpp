@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "common/math/quintic_fade.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -434,4 +434,4 @@ void ServoPredictor::follow(const RobotState& state, const JointCommand& command
   look(state, kinematics, configuration, kept, others);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -24,7 +24,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/dynamics/joint_inertia.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class ServoPredictor {
  public:
@@ -137,4 +137,4 @@ class ServoPredictor {
   std::int64_t all_moving_ = 0;  // bit per joint of the bus
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

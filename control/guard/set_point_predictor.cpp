@@ -5,7 +5,7 @@
 #include "common/math/quintic_fade.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -245,4 +245,4 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
   if (held_now_ != 0) go_together(state);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

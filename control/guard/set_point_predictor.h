@@ -19,7 +19,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Of one joint, from where it is measured.
 struct Course {
@@ -116,4 +116,4 @@ class SetPointTrack {
   PerJoint<Course> obeyed_{}, held_{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

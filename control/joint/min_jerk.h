@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class MinJerk {
  public:
@@ -72,4 +72,4 @@ class MinJerk {
   bool moving_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

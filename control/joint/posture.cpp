@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kSpeedShare = 0.5;       // of a joint's velocity limit
@@ -156,4 +156,4 @@ bool Posture::moving() const noexcept {
   return false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

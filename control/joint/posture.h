@@ -11,7 +11,7 @@
 #include "control/joint/min_jerk.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class Posture {
  public:
@@ -71,4 +71,4 @@ class Posture {
   PerJoint<double> driven_rate_{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

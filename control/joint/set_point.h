@@ -5,7 +5,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct SetPoint {
   PerJoint<double> q{};    // [rad or m]
@@ -15,4 +15,4 @@ struct SetPoint {
   PerJoint<double> kd{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -12,7 +12,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Ground frame (midway between the feet, z up): [m], [m/s].
 struct BehaviorReport {
@@ -103,4 +103,4 @@ class Behavior {
   bool finite_ = true;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

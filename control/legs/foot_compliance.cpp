@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void FootCompliance::start() noexcept {
   fresh_ = true;
@@ -28,4 +28,4 @@ void FootCompliance::update(const std::array<FootLoad, 2>& wanted,
   fresh_ = false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

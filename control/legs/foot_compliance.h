@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct FootComplianceGains {
   double ankle = 10.0;       // w_a [1/s]
@@ -46,4 +46,4 @@ class FootCompliance {
   std::array<Eigen::Vector2d, 2> moment_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

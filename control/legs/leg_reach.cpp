@@ -10,7 +10,7 @@
 #include "robot/dynamics/joint_inertia.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr int kAngles = 400;
@@ -89,4 +89,4 @@ LegReach leg_reach(const Model& model, int foot) {
   return reach;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct LegReach {
   int knee = -1;              // joint that changes the distance from hip to ankle
@@ -23,4 +23,4 @@ struct LegReach {
 // Throws std::runtime_error when the leg has no knee.  The leg must have five to seven joints.
 LegReach leg_reach(const Model& model, int foot);
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -4,7 +4,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 StaticTorque::StaticTorque(const Model& model)
     : model_(&model),
@@ -50,4 +50,4 @@ void StaticTorque::solve(const Estimator& estimator, const Eigen::VectorXd& q,
                         Eigen::Vector3d::Zero(), stands ? standing_ : hanging_, tau);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

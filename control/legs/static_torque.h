@@ -10,7 +10,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class StaticTorque {
  public:
@@ -30,4 +30,4 @@ class StaticTorque {
   std::vector<ExternalWrench> standing_, hanging_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kOvershoot =
@@ -110,4 +110,4 @@ void WholeBodyIk::solve(const Eigen::Vector3d& com, const Eigen::Matrix3d& base,
   current_ = false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -14,7 +14,7 @@
 #include "robot/kinematics/leg_motion.h"
 #include "control/legs/leg_reach.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class WholeBodyIk {
  public:
@@ -52,4 +52,4 @@ class WholeBodyIk {
   double error_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

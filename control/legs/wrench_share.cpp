@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 Eigen::Vector2d SoleOnGround::turn(const Eigen::Vector2d& in_sole) const noexcept {
   const double c = std::cos(yaw);
@@ -50,4 +50,4 @@ ZmpShare share_zmp(const std::array<SoleOnGround, 2>& soles, const Eigen::Vector
   return share;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

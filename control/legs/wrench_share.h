@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct SoleOnGround {                                  // in the ground frame
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame [m]
@@ -36,4 +36,4 @@ struct ZmpShare {
 ZmpShare share_zmp(const std::array<SoleOnGround, 2>& soles, const Eigen::Vector2d& zmp,
                    double margin, double least_load) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kBeginsNear = 0.05;  // [rad] between the arm and the first knot
@@ -216,4 +216,4 @@ void ArmFollow::update(Posture& posture, std::int64_t masked, double dt) noexcep
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

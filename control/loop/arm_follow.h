@@ -16,7 +16,7 @@
 #include "lcmtypes/msg/obeyed_once.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 enum class ArmState : std::int8_t { kNone = 0, kFollowing = 1, kDone = 2, kStoppedByGuard = 3 };
 
@@ -84,4 +84,4 @@ class ArmFollow {
   const char* refusal_ = nullptr;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kBrakeTime = 0.3;  // from full speed to rest [s]
@@ -19,4 +19,4 @@ bool ArmForecast::advance(bool brakes, double dt) noexcept {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

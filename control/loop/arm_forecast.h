@@ -6,7 +6,7 @@
 #include "control/joint/posture.h"
 #include "control/loop/arm_follow.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class ArmForecast {
  public:
@@ -38,4 +38,4 @@ class ArmForecast {
   double gone_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

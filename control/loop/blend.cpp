@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kTorque = 0.05;  // of torques where set-points are what is measured [s]
@@ -48,4 +48,4 @@ void Blend::apply(SetPoint& set_point, double dt) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

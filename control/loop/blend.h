@@ -16,7 +16,7 @@
 
 #include "control/joint/set_point.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class Blend {
  public:
@@ -41,4 +41,4 @@ class Blend {
   std::int64_t measured_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -23,7 +23,7 @@
 #include "robot/description/walking_config.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kModeBlend = 0.5;        // [s] between the set-points of two modes
@@ -491,4 +491,4 @@ const GuardReport& ControlLoop::guard_report() const noexcept {
   return impl_->guard != nullptr ? impl_->guard->report() : none;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

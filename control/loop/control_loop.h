@@ -20,7 +20,7 @@
 #include "lcmtypes/msg/step_list.h"
 #include "lcmtypes/msg/stop_plan.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct ControlConfig {
   std::int64_t controller_id = 1;
@@ -96,4 +96,4 @@ constexpr void for_each_control_input(Visit&& visit) {
   visit.template operator()<&ControlLoop::on_guard>();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 template <std::size_t N>
@@ -53,4 +53,4 @@ void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noe
   s.base_velocity = to_floats<3>(c.base_velocity);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

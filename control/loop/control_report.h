@@ -5,10 +5,10 @@
 #include "control/loop/modes.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Leaves alone what belongs to the inputs (sequences, guard_tick) and to the caller (controller_id,
 // compute_ns).
 void report_tick(const Modes& modes, const Moment& now, ControllerStatus& status) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

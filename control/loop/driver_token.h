@@ -9,7 +9,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class DriverToken {
  public:
@@ -58,4 +58,4 @@ class DriverToken {
   std::size_t next_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -7,7 +7,7 @@
 #include "control/legs/leg_reach.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kLost = 0.45;     // [rad]: caught pushes stay below half of it
@@ -71,4 +71,4 @@ void Brace::update(const Estimator& estimator, const Posture& posture, double dt
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -10,7 +10,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class Brace {
  public:
@@ -36,4 +36,4 @@ class Brace {
   double time_ = 0.0, quiet_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

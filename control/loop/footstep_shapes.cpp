@@ -4,7 +4,7 @@
 
 #include "lcmtypes/msg/obstacle_row.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -55,4 +55,4 @@ void footstep_shapes(const Model& model, const Estimator& estimator, const Walk*
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -8,10 +8,10 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // walk: null while the robot does not walk; then there are none.
 void footstep_shapes(const Model& model, const Estimator& estimator, const Walk* walk,
                      ObstaclesPiece& out) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -2,7 +2,7 @@
 
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void MaskBrake::apply(SetPoint& set_point, std::int64_t mask, double dt) noexcept {
   for (int j = 0; j < model_->bus_count(); ++j) {
@@ -35,4 +35,4 @@ void MaskBrake::apply(SetPoint& set_point, std::int64_t mask, double dt) noexcep
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -10,7 +10,7 @@
 #include "control/joint/set_point.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class MaskBrake {
  public:
@@ -29,4 +29,4 @@ class MaskBrake {
   PerJoint<double> q_{}, qd_{};  // as last put out
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -1,6 +1,6 @@
 #include "control/loop/mode_queue.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 bool ModeQueue::add(const ModeRequest& request, std::int64_t run_id) noexcept {
   if (request.run_id != run_id || count_ == kCapacity ||
@@ -25,4 +25,4 @@ const ModeRequest* ModeQueue::take(std::int64_t tick) noexcept {
   return &taken_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -11,7 +11,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/obeyed_once.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class ModeQueue {
  public:
@@ -31,4 +31,4 @@ class ModeQueue {
   SenderSequences<64> heard_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "robot/description/walking_config.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kBrake = 0.3;         // [s] in which hold brings a moving joint to rest
@@ -390,4 +390,4 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   for (int k = 0; k < n && active_ != nullptr; ++k) set_legs(k, set_point);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -35,7 +35,7 @@
 #include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // The tick that is being answered.
 struct Moment {
@@ -190,4 +190,4 @@ class Modes {
   const char* path_refusal_ = nullptr;  // of a path, last
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 void Modes::walk_steps(const StepList& list) noexcept {
   if (point_feet_ != nullptr) {
@@ -58,4 +58,4 @@ void Modes::move_legs(const Moment& now, double dt) noexcept {
   active_->update(now.estimator, q_given_, dt);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

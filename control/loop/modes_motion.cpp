@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kStopTime = 0.4;    // [s] in which a sway or squat makes room for a motion
@@ -216,4 +216,4 @@ void Modes::follow_body() noexcept {
   balance_->follow(body.com, body.com_velocity, body.com_acceleration, body.tilt, body.tilt_rate);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "control/balance/straight_way.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kMargin = 0.010;    // of the guard, which would hold the joints there [m]
@@ -60,4 +60,4 @@ const char* PoseWay::why() noexcept {
   return text.data();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -12,7 +12,7 @@
 #include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class PoseWay {
  public:
@@ -47,4 +47,4 @@ class PoseWay {
   std::size_t sentence_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

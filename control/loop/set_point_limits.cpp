@@ -8,7 +8,7 @@
 #include "common/simd/vec4.h"
 #include "robot/kinematics/brake.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -69,4 +69,4 @@ void SetPointLimits::apply(const RobotState& state, const SetPoint* last, double
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

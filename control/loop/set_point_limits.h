@@ -7,7 +7,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class SetPointLimits {
  public:
@@ -26,4 +26,4 @@ class SetPointLimits {
   PerJoint<double> kp_, kd_;  // defaults
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

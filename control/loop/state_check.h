@@ -10,7 +10,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class StateCheck {
  public:
@@ -50,4 +50,4 @@ class StateCheck {
   PerJoint<double> low_{}, high_{};  // bus order
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kEvery = 0.030;         // a plan is begun [s]
@@ -301,4 +301,4 @@ const Walk* StopPlanner::walk_at(std::int32_t number, std::int64_t tick) noexcep
   return &*resumed_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

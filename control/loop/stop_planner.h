@@ -19,7 +19,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/stop_plan/stop_plan.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // What moves the robot in a tick that has been answered.
 struct PlannedMotion {
@@ -108,4 +108,4 @@ class StopPlanner {
   std::vector<ExternalWrench> wrench_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

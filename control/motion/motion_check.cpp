@@ -14,7 +14,7 @@
 #include "robot/estimation/support_polygon.h"
 #include "robot/kinematics/leg_chain.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -372,4 +372,4 @@ MotionVerdict check_motion(const Model& model, const MotionClip& motion,
   return Check(model, motion, config).run();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

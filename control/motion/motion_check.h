@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "robot/motion/motion_clip.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 enum class FaultKind : std::int8_t { kPosition, kSpeed, kEffort, kTouch, kBalance, kReach };
 
@@ -55,4 +55,4 @@ struct MotionCheckConfig {
 MotionVerdict check_motion(const Model& model, const MotionClip& motion,
                            const MotionCheckConfig& config);
 
-}  // namespace twinbus
+}  // namespace twinbus::control

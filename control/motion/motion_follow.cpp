@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "robot/motion/motion_spline.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kBrakeTime = 0.3;    // [s] from full rate to rest
@@ -196,4 +196,4 @@ void MotionFollow::update(Posture& posture, std::int64_t masked, double dt) noex
   over_ = (whole && end - time_ < kEnd) || (ending_ && rate_ <= 0.0);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

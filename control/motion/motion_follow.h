@@ -17,7 +17,7 @@
 #include "lcmtypes/msg/obeyed_once.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class MotionFollow {
  public:
@@ -110,4 +110,4 @@ class MotionFollow {
   const char* refusal_ = nullptr;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

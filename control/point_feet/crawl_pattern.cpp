@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kKeep = 0.4;        // of the radius of the circle in a triangle of the nominal stance
@@ -136,4 +136,4 @@ void CrawlPattern::update(const StepGait& gait, const FourPoints& feet, const Ei
   acceleration_ = omega * omega * (position_ - zmp_);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

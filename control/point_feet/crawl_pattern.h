@@ -17,7 +17,7 @@
 #include "control/point_feet/point_feet_body.h"
 #include "control/point_feet/step_gait.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 using FourPoints = std::array<Eigen::Vector2d, 4>;
 
@@ -56,4 +56,4 @@ double inside_others(const FourPoints& feet, int lifted, const Eigen::Vector2d& 
 // Near a point, and so far inside, or as far as the triangle has room.
 Eigen::Vector2d nearest_inside(const FourPoints& feet, int lifted, const Eigen::Vector2d& point, double keep) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -9,7 +9,7 @@
 #include "common/math/pose_math.h"
 #include "common/math/quintic_fade.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 // Natural frequencies in those of the pendulum, damping ratios.
@@ -491,4 +491,4 @@ void PointFeet::update(const Estimator& estimator, const Eigen::VectorXd&, doubl
   look_for_nan();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

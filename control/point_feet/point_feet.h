@@ -21,7 +21,7 @@
 #include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class PointFeet final : public Behavior {
  public:
@@ -114,4 +114,4 @@ class PointFeet final : public Behavior {
   Eigen::VectorXd leg_kp_, leg_kd_, stance_, stance_torque_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kLevel = 0.15;  // of the plane of the feet [rad]
@@ -81,4 +81,4 @@ const char* why_no_point_feet(const Model& model) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -11,7 +11,7 @@
 #include "robot/estimation/point_legs.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct PointFeetBody {
   // Throws std::runtime_error with one sentence when the robot has no such legs or does not stand in half_sitting.
@@ -36,4 +36,4 @@ struct PointFeetBody {
 // Why a robot cannot stand on points; null when it can.
 const char* why_no_point_feet(const Model& model) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -4,7 +4,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 // How much a share of the weight that is missing costs, level and upright, and a moment likewise about x and y, and about z.
@@ -72,4 +72,4 @@ const PointForces& PointForceShare::solve(const std::array<PointFoot, kPointFeet
   return force_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

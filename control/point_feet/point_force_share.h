@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 inline constexpr int kPointFeet = 4;
 using PointForces = std::array<Eigen::Vector3d, kPointFeet>;
@@ -46,4 +46,4 @@ class PointForceShare {
 // The nearest force within the cone of friction whose normal part is between 0 and most.
 Eigen::Vector3d within_cone(const Eigen::Vector3d& force, double friction, double most) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -5,7 +5,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kPeriod = 2.5;     // times sqrt(h / g)
@@ -129,4 +129,4 @@ StepGait step_gait_of(const Model& model) {
   return gait;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

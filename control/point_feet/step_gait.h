@@ -23,7 +23,7 @@
 #include "control/point_feet/point_feet_body.h"
 #include "robot/description/walking_config.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class StepGait {
  public:
@@ -105,4 +105,4 @@ class StepGait {
 // As robot.yaml says.  Throws std::runtime_error with one sentence when the robot has no point feet.
 StepGait step_gait_of(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::control

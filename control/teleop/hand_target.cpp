@@ -1,6 +1,6 @@
 #include "control/teleop/hand_target.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kNear = 0.001;                // a wish no further than this asks for nothing [m]
@@ -128,4 +128,4 @@ bool HandTarget::next(std::int64_t now_ns, std::int64_t run_id, std::int64_t new
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -13,7 +13,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class HandTarget {
  public:
@@ -68,4 +68,4 @@ class HandTarget {
   int cancels_left_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

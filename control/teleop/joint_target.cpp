@@ -6,7 +6,7 @@
 
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kSpeedShare = 0.25, kFastest = 0.5, kFastestSlide = 0.1;  // of the velocity limit; [rad/s], [m/s]
@@ -121,4 +121,4 @@ std::string JointTarget::words(const RobotState& state) const {
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -12,7 +12,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class JointTarget {
  public:
@@ -56,4 +56,4 @@ class JointTarget {
   std::int64_t still_ns_ = 0;  // since when it is away from where it was sent and rests; 0: it is not
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

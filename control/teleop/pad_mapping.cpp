@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::string PadMapper::line(const std::string& guid, const std::string& name) co
   return text + ",platform:Linux,";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Raw: as the driver numbers them.
 struct RawPad {
@@ -40,4 +40,4 @@ class PadMapper {
   std::vector<std::pair<std::string, std::string>> learned_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -7,7 +7,7 @@
 
 #include "control/teleop/teleop.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 RawTerminal::RawTerminal(int descriptor) : descriptor_(descriptor) {
   is_terminal_ = isatty(descriptor_) == 1 && tcgetattr(descriptor_, &saved_) == 0;
@@ -57,4 +57,4 @@ std::array<int, 64> RawTerminal::read_keys() {
   return keys;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class RawTerminal {
  public:
@@ -30,4 +30,4 @@ class RawTerminal {
   termios saved_{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

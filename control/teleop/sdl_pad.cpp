@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct SdlPad::Impl {
   SDL_GameController* pad = nullptr;
@@ -170,4 +170,4 @@ void VirtualPad::set_button(std::int32_t button, bool pressed) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -11,7 +11,7 @@
 #include "control/teleop/pad_mapping.h"
 #include "control/teleop/teleop.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class SdlPad {
  public:
@@ -68,4 +68,4 @@ class VirtualPad {
   void* joystick_ = nullptr;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -9,7 +9,7 @@
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/motion_defaults.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 
@@ -414,4 +414,4 @@ std::string cheat_sheet(bool keyboard) {
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

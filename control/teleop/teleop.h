@@ -13,7 +13,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Bits of Gamepad::buttons; SDL's controller buttons in SDL's order.
 enum PadButton : std::int32_t {
@@ -127,4 +127,4 @@ float trigger_value(std::int16_t raw) noexcept;  // 0..1
 // The tables as text for a terminal.
 std::string cheat_sheet(bool keyboard);
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct ZmpPiece {
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::Zero();  // p0, p1 [m]
@@ -26,4 +26,4 @@ inline Eigen::Vector2d dcm_before(const ZmpPiece& piece, const Eigen::Vector2d& 
   return piece.from + lead + std::exp(-omega * piece.duration) * (after - piece.to - lead);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

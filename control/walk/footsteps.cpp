@@ -12,7 +12,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 // Shares of what the legs reach at walking height, so that a recovery step is still possible.
@@ -222,4 +222,4 @@ Eigen::Vector2d zmp_on(const Gait& gait, const Foothold& at, int foot) noexcept 
   return at.position + at.turn({gait.zmp_forward, -side_of(foot) * gait.zmp_inward});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

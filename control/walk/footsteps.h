@@ -14,7 +14,7 @@
 #include "robot/description/model.h"
 #include "robot/description/walking_config.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct Foothold {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame, world [m]
@@ -91,4 +91,4 @@ Foothold kept_apart(const Gait& gait, const Foothold& from, int foot, Foothold n
 // Where the reference ZMP is while `foot` alone carries the robot, world.
 Eigen::Vector2d zmp_on(const Gait& gait, const Foothold& at, int foot) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -6,7 +6,7 @@
 
 #pragma once
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class GroundFollow {
  public:
@@ -30,4 +30,4 @@ class GroundFollow {
   double height_ = 0.0, velocity_ = 0.0, acceleration_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

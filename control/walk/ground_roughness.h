@@ -17,7 +17,7 @@
 #include <array>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class GroundRoughness {
  public:
@@ -73,4 +73,4 @@ class GroundRoughness {
   Eigen::Vector2d before_ = Eigen::Vector2d::Zero();  // believed at the landing before
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

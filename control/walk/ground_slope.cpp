@@ -1,6 +1,6 @@
 #include "control/walk/ground_slope.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kLearns = 0.5;     // g
@@ -21,4 +21,4 @@ void GroundSlope::stood_on(const Eigen::Vector2d& gradient) noexcept {
 
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

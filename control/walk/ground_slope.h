@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class GroundSlope {
  public:
@@ -27,4 +27,4 @@ class GroundSlope {
   bool believed_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

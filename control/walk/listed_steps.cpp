@@ -4,7 +4,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 // As a foothold in the frame of the foot that stands.
@@ -62,4 +62,4 @@ int place_steps(const StepList& list, const std::array<Foothold, 2>& feet,
   return list.count;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -7,7 +7,7 @@
 #include "control/walk/footsteps.h"
 #include "lcmtypes/msg/step_list.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct StepRefusal {
   int step = -1;              // the first that cannot be done, from 0
@@ -25,4 +25,4 @@ inline int first_foot(const StepList& list) noexcept {
 int place_steps(const StepList& list, const std::array<Foothold, 2>& feet,
                 std::array<Foothold, kMostSteps>& places) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

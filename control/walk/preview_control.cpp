@@ -5,7 +5,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr int kMostRounds = 20000;  // of the Riccati equation
@@ -60,4 +60,4 @@ Cart PreviewControl::advance(const Cart& cart, double jerk, double dt) noexcept 
   return {position, velocity, acceleration};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // One horizontal axis.
 struct Cart {
@@ -47,4 +47,4 @@ class PreviewControl {
   std::vector<double> share_;  // f_i
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

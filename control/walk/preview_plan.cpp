@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kEvery = 0.01;   // between two ZMPs that are looked at [s]
@@ -51,4 +51,4 @@ void PreviewPlan::plan(std::span<const ZmpPiece> ahead) noexcept {
     jerk_[axis] = control_.jerk(cart_[axis], wanted_[axis].data());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -13,7 +13,7 @@
 #include "control/walk/dcm_plan.h"
 #include "control/walk/preview_control.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class PreviewPlan {
  public:
@@ -39,4 +39,4 @@ class PreviewPlan {
   std::array<std::vector<double>, 2> wanted_;  // ZMPs [m]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kMean = 0.1;     // in which jumps are averaged [s]
@@ -23,4 +23,4 @@ Eigen::Vector2d RattleFilter::update(const Eigen::Vector2d& measured, bool loade
   return filters_ ? late_ : measured;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

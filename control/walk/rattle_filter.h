@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class RattleFilter {
  public:
@@ -35,4 +35,4 @@ class RattleFilter {
   bool was_loaded_ = false, filters_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

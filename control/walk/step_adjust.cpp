@@ -5,7 +5,7 @@
 
 #include "control/walk/swing_foot.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr int kLonger = 1, kShorter = 13;  // durations tried beside the present one
@@ -79,4 +79,4 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -15,7 +15,7 @@
 
 #include "control/walk/footsteps.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct StepNow {
   Foothold support;                               // the foot that stands
@@ -41,4 +41,4 @@ struct StepAdjusted {
 
 StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -4,7 +4,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kAtRest = 0.03;  // from when on before the end nothing moves sideways [s]
@@ -51,4 +51,4 @@ void SwingFoot::advance(const Foothold& target, double left, double lift, double
       from_height_ + (aim_ - gains_.below - from_height_) * blend + lift * 16.0 * arc * arc;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -7,7 +7,7 @@
 
 #include "control/walk/footsteps.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct SwingGains {
   double early = 0.04;    // the target is reached so long before touchdown [s]
@@ -39,4 +39,4 @@ class SwingFoot {
   double progress_ = 0.0, search_ = 0.0;  // search_: downwards [m/s]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

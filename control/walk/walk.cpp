@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr int kFirstRounds = 10;
@@ -295,4 +295,4 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   look_for_nan();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -23,7 +23,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/step_list.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class Walk final : public Behavior {
  public:
@@ -119,4 +119,4 @@ class Walk final : public Behavior {
   double tilt_ = 0.0;    // of the standing soles of feet that feel nothing, smoothed [rad]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

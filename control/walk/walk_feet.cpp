@@ -6,7 +6,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kLoaded = 0.05;  // of the weight: admittance works
@@ -150,4 +150,4 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

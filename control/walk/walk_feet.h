@@ -18,7 +18,7 @@
 #include "control/walk/walk_pattern.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // Where the base is asked to be and where it is, world.
 struct BaseError {
@@ -70,4 +70,4 @@ class WalkFeet {
   std::array<Eigen::Isometry3d, 2> target_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

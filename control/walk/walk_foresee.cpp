@@ -6,7 +6,7 @@
 #include "common/math/pose_math.h"
 #include "control/walk/walk.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 // What is measured is replaced by what the model says: the DCM follows the ZMP that the soles carry, xi' = omega (xi - p),
 // soles are where they were sent, loads as wanted, and a foot in the air lands when its time is over.
@@ -59,4 +59,4 @@ void Walk::take_over(const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexce
   resumes_ = true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

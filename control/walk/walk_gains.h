@@ -4,7 +4,7 @@
 
 #include "control/walk/swing_foot.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 struct WalkStabilizerGains {
   double dcm = 6.0;       // k [1/s]: the rate at which a DCM error decays
@@ -49,4 +49,4 @@ struct WalkGains {
   int rounds = 1;           // of the whole-body inverse kinematics
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -6,7 +6,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kTooLate = 0.08;     // before touchdown, from when on a step is left alone [s]
@@ -418,4 +418,4 @@ std::size_t WalkPattern::plan_pieces(double omega) noexcept {
   return n;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

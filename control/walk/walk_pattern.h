@@ -18,7 +18,7 @@
 #include "control/walk/swing_foot.h"
 #include "lcmtypes/msg/step_list.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class WalkPattern {
  public:
@@ -134,4 +134,4 @@ class WalkPattern {
   Eigen::Vector2d dcm_landing_ = Eigen::Vector2d::Zero();  // planned at the next touchdown
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::control

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "robot/stop_plan/sole_share.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 namespace {
 constexpr double kRebase =
@@ -70,4 +70,4 @@ void WalkStabilizer::update(const WalkPattern& pattern, const Eigen::Vector2d& c
   if (away.norm() > g.reach) com_ = foot + away * (g.reach / away.norm());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::control

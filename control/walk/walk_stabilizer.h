@@ -14,7 +14,7 @@
 #include "control/walk/walk_pattern.h"
 #include "control/legs/wrench_share.h"
 
-namespace twinbus {
+namespace twinbus::inline control {
 
 class WalkStabilizer {
  public:
@@ -46,4 +46,4 @@ class WalkStabilizer {
 // A ZMP (world) shared between the feet of a pattern: on one foot the other carries nothing.
 ZmpShare share_walking(const WalkPattern& pattern, const Eigen::Vector2d& zmp) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::control

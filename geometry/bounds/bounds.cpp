@@ -8,7 +8,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -153,4 +153,4 @@ Ball ball_inside(const TriangleMesh& hull) {
   return best;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -8,7 +8,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "geometry/shapes.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // Nearly the smallest; points not empty.  Exact: no point is farther than the radius.
 Ball ball_around(const std::vector<Eigen::Vector3d>& points, int steps = 2000);
@@ -19,4 +19,4 @@ Capsule capsule_around(const std::vector<Eigen::Vector3d>& points);
 // A large ball inside of a convex body whose triangles face outwards; without triangles, of no radius.
 Ball ball_inside(const TriangleMesh& hull);
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -12,7 +12,7 @@
 #include "geometry/shapes.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -265,4 +265,4 @@ bool holds(const TriangleMesh& hull, const std::vector<Vector3d>& points) {
   return hull.triangles.size() >= 4 && !points.empty() && outside_of(hull, Cloud(points)).empty();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

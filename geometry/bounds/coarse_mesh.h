@@ -13,7 +13,7 @@
 
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // Meshes of no more triangles are taken as they are.
 inline constexpr int kFineTriangles = 100;
@@ -27,4 +27,4 @@ std::optional<TriangleMesh> coarse_hull(const TriangleMesh& mesh);
 // Are all the points below every face of a convex hull?
 bool holds(const TriangleMesh& hull, const std::vector<Eigen::Vector3d>& points);
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

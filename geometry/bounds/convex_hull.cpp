@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "geometry/shapes.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -266,4 +266,4 @@ TriangleMesh convex_hull(const std::vector<Vector3d>& points) {
   return all;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

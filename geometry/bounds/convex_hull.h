@@ -7,11 +7,11 @@
 
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // Corners are some of `points`; triangles face outwards and every point is at most 5e-7 of the
 // diagonal of their box outside of each.  Points in a plane or on a line, and points that rounding makes
 // undecidable, come back as they are with no triangle.
 TriangleMesh convex_hull(const std::vector<Eigen::Vector3d>& points);
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

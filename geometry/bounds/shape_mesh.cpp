@@ -8,7 +8,7 @@
 #include <numbers>
 #include <unordered_map>
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -176,4 +176,4 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

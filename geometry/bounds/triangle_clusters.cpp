@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/bounds.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh) {
   return triangle_clusters(mesh, order);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -7,7 +7,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "geometry/shapes.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // Up to 16 triangles that lie together, a lane each; the lanes behind the last repeat it.  Bounds
 // are enlarged by more than single precision can lose.
@@ -33,4 +33,4 @@ std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh);
 TriangleCluster triangle_cluster(const TriangleMesh& mesh, const int* triangles, int count,
                                  const Ball* sphere);
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -5,7 +5,7 @@
 
 #include "geometry/bounds/triangle_clusters.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct alignas(16) CollisionJoint {                       // one that moves geometry
   float still[3][4], with_cosine[3][4], with_sine[3][4];  // columns of the rotation
@@ -50,4 +50,4 @@ struct alignas(16) CollisionBody {  // a link that bears geometry
   int inner_balls = 0;         // with the padding
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

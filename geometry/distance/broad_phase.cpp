@@ -8,7 +8,7 @@
 #include "geometry/distance/body_data.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -195,4 +195,4 @@ std::span<NearShapes::Candidate> NearShapes::nearer_than(double reach, double ah
   return {i.found.data(), at(n)};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

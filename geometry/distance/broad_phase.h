@@ -15,7 +15,7 @@
 
 #include "geometry/shapes.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 class NearShapes {
  public:
@@ -58,4 +58,4 @@ class NearShapes {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

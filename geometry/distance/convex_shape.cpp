@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -134,4 +134,4 @@ Vector3d way_out(const PlacedShape& first, const PlacedShape& second) noexcept {
   return first.pose->linear() * best.n;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

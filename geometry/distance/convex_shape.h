@@ -14,7 +14,7 @@
 
 #include "geometry/shapes.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct ConvexShape {
   ShapeKind kind = ShapeKind::kSphere;             // a mesh counts as the box around it
@@ -40,4 +40,4 @@ double separation(const PlacedShape& a, const PlacedShape& b, const Eigen::Vecto
 // both, then a few steps uphill.  For overlapping shapes; -separation is the depth.
 Eigen::Vector3d way_out(const PlacedShape& a, const PlacedShape& b) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -8,7 +8,7 @@
 #include "geometry/distance/support_cells.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -261,4 +261,4 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

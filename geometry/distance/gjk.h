@@ -16,7 +16,7 @@
 #include "geometry/shapes.h"
 #include "geometry/distance/support_cells.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct GjkShape {
   ShapeKind kind = ShapeKind::kSphere;             // kMesh: the hull of the points
@@ -49,4 +49,4 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
                        const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero(),
                        double close = kGjkClose) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

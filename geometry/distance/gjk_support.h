@@ -10,7 +10,7 @@
 #include "geometry/distance/gjk.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 inline constexpr double kGjkTouching = 1e-12;  // no distance [m]
 inline constexpr int kGjkMostSteps = 64;       // of a search
@@ -120,4 +120,4 @@ TWINBUS_INLINE Vec4 support(const GjkShape& s, const Vec4& d) noexcept {
   return Vec4{scale * d[0], scale * d[1], std::copysign(s.half[1], d[2]), 0.0};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -12,7 +12,7 @@
 #include "geometry/bounds/triangle_clusters.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // clang-format off
 #define TWINBUS_WIDE 0
@@ -273,4 +273,4 @@ bool MeshDistance::between(const ClusteredMesh& a, const Isometry3d& pose_a, con
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

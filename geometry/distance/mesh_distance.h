@@ -13,7 +13,7 @@
 #include "geometry/distance/gjk.h"
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 class ClusteredMesh {
  public:
@@ -64,4 +64,4 @@ class MeshDistance {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

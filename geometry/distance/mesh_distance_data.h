@@ -4,7 +4,7 @@
 
 #include "geometry/distance/body_data.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct MeshView {
   const TriangleCluster* cluster = nullptr;
@@ -31,4 +31,4 @@ struct MeshNearest {
   int triangle_a = 0, triangle_b = 0;  // in their clusters
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

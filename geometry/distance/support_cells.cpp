@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -103,4 +103,4 @@ SupportCells support_cells(const Points& points) {
   return cells;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 inline constexpr int kSupportCells = 96;
 
@@ -37,4 +37,4 @@ struct SupportCells {
 
 SupportCells support_cells(const std::vector<Eigen::Vector3d>& points);
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -11,7 +11,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -229,4 +229,4 @@ TriangleMesh parse_dae(const std::string& text, const std::string& file) {
   return DaeReader(file).read(root);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -7,7 +7,7 @@
 
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -73,4 +73,4 @@ TriangleMesh load_mesh(const std::string& file, const Eigen::Vector3d& scale) {
   return parse_mesh(bytes, file, scale);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

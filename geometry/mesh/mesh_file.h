@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> points;        // [m]
@@ -38,4 +38,4 @@ TriangleMesh parse_dae(const std::string& text, const std::string& file);
 // mesh grows too large.
 void add_polygon(const std::vector<int>& corners, const std::string& file, TriangleMesh& mesh);
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -7,7 +7,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -89,4 +89,4 @@ TriangleMesh parse_obj(std::string_view text, const std::string& file) {
   return std::move(reader.mesh);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

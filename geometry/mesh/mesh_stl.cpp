@@ -8,7 +8,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -97,4 +97,4 @@ TriangleMesh parse_stl(std::string_view bytes, const std::string& file) {
   return parse_text(bytes, file);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

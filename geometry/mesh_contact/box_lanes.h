@@ -7,7 +7,7 @@
 #include "common/simd/vec4.h"
 #include "geometry/mesh_contact/contact_mesh.h"
 
-namespace twinbus::box_lanes {
+namespace twinbus::inline geometry::box_lanes {
 
 typedef float F8 __attribute__((vector_size(32), aligned(32)));
 typedef int I8 __attribute__((vector_size(32), aligned(32)));
@@ -36,4 +36,4 @@ TWINBUS_INLINE unsigned meeting(const FaceBoxes& boxes, const float* low,
   return ~bits(apart) & 0xFFU;
 }
 
-}  // namespace twinbus::box_lanes
+}  // namespace twinbus::geometry::box_lanes

@@ -6,7 +6,7 @@
 #include <limits>
 
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -296,4 +296,4 @@ int Constraints::under_faces(int first, std::vector<Penetration>& found) noexcep
   return first + static_cast<int>(groups_.size());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -13,7 +13,7 @@
 
 #include "geometry/mesh_contact/intersection.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // One penetrating point.
 struct Penetration {
@@ -62,4 +62,4 @@ class Constraints {
   std::vector<Eigen::Vector3d> groups_;   // of under_faces()
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -208,4 +208,4 @@ bool ContactMesh::contains(const Eigen::Vector3d& point) const noexcept {
   return inside;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

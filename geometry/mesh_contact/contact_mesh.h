@@ -13,7 +13,7 @@
 
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct ContactFace {
   std::array<int, 3> vertex;
@@ -97,4 +97,4 @@ class ContactMesh {
   Eigen::Matrix3d inertia_ = Eigen::Matrix3d::Zero();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

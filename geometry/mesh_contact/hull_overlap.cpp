@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -126,4 +126,4 @@ HullOverlap hull_overlap(const ContactMesh& a, const Eigen::Isometry3d& pose_a, 
   return best;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

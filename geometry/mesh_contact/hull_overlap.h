@@ -10,7 +10,7 @@
 
 #include "geometry/mesh_contact/contact_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct HullOverlap {
   static constexpr std::size_t kMost = 192;           // corners of each; no more are looked at
@@ -25,4 +25,4 @@ bool is_hull(const ContactMesh& mesh);
 HullOverlap hull_overlap(const ContactMesh& a, const Eigen::Isometry3d& pose_a, const ContactMesh& b,
                          const Eigen::Isometry3d& pose_b) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

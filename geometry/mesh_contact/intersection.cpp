@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "geometry/mesh_contact/box_lanes.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -427,4 +427,4 @@ bool Intersection::in_box(bool of_a, const Eigen::Vector3d& point) const noexcep
   return a_->box().contains(rotation_.transpose() * (point - shift_));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

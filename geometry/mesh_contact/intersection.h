@@ -13,7 +13,7 @@
 
 #include "geometry/mesh_contact/contact_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // All points and directions are in B's axes.
 struct CrossingPoint {
@@ -114,4 +114,4 @@ class Intersection {
   bool truncated_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -252,4 +252,4 @@ void ManifoldFinder::choose(int index, const Eigen::Isometry3d& to_frame,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

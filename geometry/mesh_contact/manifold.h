@@ -17,7 +17,7 @@
 
 #include "geometry/mesh_contact/constraint.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 struct ManifoldPoint {
   Eigen::Vector3d position;  // half way between the two surfaces [m]
@@ -78,4 +78,4 @@ class ManifoldFinder {
   std::array<std::array<Eigen::Vector2d, Manifold::kMost>, Manifold::kMost + 1> directions_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 namespace {
 
@@ -224,4 +224,4 @@ Patch ball_patch(double radius, double other_radius, const Eigen::Vector3d& cent
   return patch;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

@@ -19,7 +19,7 @@
 
 #include "geometry/mesh_contact/contact_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
 
 // offset + slope.x, over the plane of a patch.
 struct LinearField {
@@ -116,4 +116,4 @@ class PatchFinder {
   std::vector<Face> lower_, upper_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::geometry

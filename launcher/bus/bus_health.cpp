@@ -7,7 +7,7 @@
 #include "common/text/formatted.h"
 #include "lcmtypes/bus/wire.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& pr
   return lines;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

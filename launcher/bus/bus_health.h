@@ -12,7 +12,7 @@
 
 #include "launcher/bus/stack_monitor.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class BusHealth {
  public:
@@ -36,4 +36,4 @@ std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& pr
 // Of a row of a heartbeat; "?" for one that this program does not know.
 const char* heard_channel(const Heartbeat& beat, std::size_t row);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -8,7 +8,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/labels.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -151,4 +151,4 @@ std::string describe(const SeenSource& source) {
          ", " + label(source.status.role) + ")";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -15,9 +15,11 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/step_list.h"
 
-namespace twinbus {
-
+namespace twinbus::inline lcmtypes {
 struct BusOptions;
+}  // namespace twinbus::lcmtypes
+
+namespace twinbus::inline launcher {
 
 class BusLink {
  public:
@@ -86,4 +88,4 @@ const SeenSource& active_source(BusLink& bus);
 // "simulator run 123 (term 4, active)"
 std::string describe(const SeenSource& source);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

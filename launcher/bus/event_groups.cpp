@@ -1,6 +1,6 @@
 #include "launcher/bus/event_groups.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<std::string> EventGroups::take(const std::vector<std::string>& event
   return lines;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // With # for every number, so that sentences which differ by numbers alone are the same.
 std::string without_numbers(const std::string& text);
@@ -28,4 +28,4 @@ class EventGroups {
   std::map<std::string, Group> groups_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

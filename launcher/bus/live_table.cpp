@@ -9,7 +9,7 @@
 #include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -192,4 +192,4 @@ void Redraw::draw(const std::vector<std::string>& lines) {
   lines_ = lines.size();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

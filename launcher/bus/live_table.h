@@ -9,7 +9,7 @@
 #include "launcher/stack/cpu_share.h"
 #include "launcher/bus/stack_monitor.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // What somebody has to act on, each with its remedy; nothing while all is well.
 std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now_ns);
@@ -34,4 +34,4 @@ class Redraw {
   std::size_t lines_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

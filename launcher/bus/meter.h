@@ -6,7 +6,7 @@
 
 #include "lcmtypes/bus/missing_messages.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class Meter {
  public:
@@ -68,4 +68,4 @@ class Meter {
   double rate_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -11,7 +11,7 @@
 #include "common/text/printable.h"
 #include "lcmtypes/msg/pace.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -227,4 +227,4 @@ const char* realtime_name(std::int8_t realtime) {
   return word(realtime, {"none", "FIFO", "FIFO+locked"});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -15,7 +15,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // One source, from its SOURCE_STATUS and the states it publishes.
 struct SeenSource {
@@ -116,4 +116,4 @@ const char* source_name(SourceKind source);
 const char* process_name(ProcessKind kind);
 const char* realtime_name(std::int8_t realtime);  // as in Heartbeat
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

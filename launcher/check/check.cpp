@@ -29,7 +29,7 @@
 #include "robot/onboarding/model_lint.h"
 #include "robot/onboarding/proposal.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -468,4 +468,4 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
   return good ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

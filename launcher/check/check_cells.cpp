@@ -8,7 +8,7 @@
 #include "robot/collision/exact/posture_cells_cache.h"
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 int check_cells(const Model& model) {
   const RobotGeometry geometry = build_geometry(model);
@@ -34,4 +34,4 @@ int check_cells(const Model& model) {
   return kept ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

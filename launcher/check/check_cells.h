@@ -4,9 +4,9 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Prints, with progress on a terminal.  Exit status: 1 when nothing can be kept.
 int check_cells(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

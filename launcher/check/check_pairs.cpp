@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "robot/collision/exact/pair_proof.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -65,4 +65,4 @@ int check_pairs(const Model& model, const std::string& file) {
   return unsound > 0 ? 1 : 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,10 +7,10 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Prints; file, when not empty, is the SRDF to write.  Exit status: 1 when the SRDF leaves out a
 // pair that touches.
 int check_pairs(const Model& model, const std::string& file);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

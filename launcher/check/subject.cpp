@@ -14,7 +14,7 @@
 #include "robot/onboarding/mend.h"
 #include "robot/onboarding/mesh_axis.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -191,4 +191,4 @@ Model load_proposed(const Proposal& proposal, const CheckSubject& subject) try {
                            likely_cause(subject));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 
 #include "robot/onboarding/proposal.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct CheckSubject {
   Model model;
@@ -25,4 +25,4 @@ CheckSubject load_subject(const std::string& name, bool mends = false, const std
 // The robot that the proposal makes, as `run` will load it.  What is wrong with it is said of the user's file.
 Model load_proposed(const Proposal& proposal, const CheckSubject& subject);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -2,7 +2,7 @@
 
 #include "common/text/strict_yaml.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 std::vector<TrainedJoint> read_trained_joints(const std::string& spec_file, const Model& model) {
   const ConfigNode spec = ConfigNode::load(spec_file);
@@ -21,4 +21,4 @@ std::vector<TrainedJoint> read_trained_joints(const std::string& spec_file, cons
   return trained;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

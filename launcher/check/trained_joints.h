@@ -7,9 +7,9 @@
 
 #include "robot/onboarding/proposal.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Throws std::runtime_error naming file, line and key, also where it names a joint that the robot has not or says nothing.
 std::vector<TrainedJoint> read_trained_joints(const std::string& spec_file, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -16,7 +16,7 @@
 #include "sim/engine/make_world.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -81,4 +81,4 @@ Trial try_to_stand(const Model& model) {
   return trial;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

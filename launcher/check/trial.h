@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct Trial {
   std::string refusal;         // why `run` would refuse it; empty: it does not
@@ -26,4 +26,4 @@ struct Trial {
 // machine's time reach.
 Trial try_to_stand(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -19,7 +19,7 @@
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -416,4 +416,4 @@ WalkTrial find_walk(const Model& model, double patience) {
   return trial;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // The most with which it walks, and what ends it above that, in words; empty: it walks with the most that is tried.
 struct WalkBound {
@@ -36,4 +36,4 @@ struct WalkTrial {
 // Tries nothing more after `patience` [s] of the processor's time; slopes and pushes take up to 4 s more.
 WalkTrial find_walk(const Model& model, double patience);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct Command {
   const char* name;
@@ -71,4 +71,4 @@ int log_events(const std::vector<std::string>& words);
 int log_compare(const std::vector<std::string>& words);
 int log_rerun(const std::vector<std::string>& words);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

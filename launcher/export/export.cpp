@@ -17,7 +17,7 @@
 #include "sim/scene/scene_seed.h"
 #include "sim/world/static_equilibrium.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -140,4 +140,4 @@ Contacts are another simulator's own: stiffness and damping of soles are not han
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -11,7 +11,7 @@
 #include "sim/scene/scene.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class EnergyWatch {
  public:
@@ -44,4 +44,4 @@ class EnergyWatch {
   Kinematics kinematics_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

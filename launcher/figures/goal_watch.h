@@ -11,7 +11,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class GoalWatch {
  public:
@@ -73,4 +73,4 @@ class GoalWatch {
   double hand_off_ = 0.0, joint_off_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "sim/objects/rigid_object_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -71,4 +71,4 @@ void LooseWatch::add(const World& world) {
   begun_ = true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -8,7 +8,7 @@
 #include "sim/scene/scene.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class LooseWatch {
  public:
@@ -42,4 +42,4 @@ class LooseWatch {
   double first_ = 0.0, drift_ = 0.0, gain_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -10,7 +10,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/world/static_equilibrium.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -198,4 +198,4 @@ std::optional<Swing> swing_seen(const std::vector<double>& values, double step) 
   return Swing{2.0 * half, fell / (half * (halves - 1.0))};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

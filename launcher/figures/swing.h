@@ -16,7 +16,7 @@
 #include "robot/description/model.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct Swing {
   double period = 0.0;  // [s]
@@ -39,4 +39,4 @@ std::optional<Swing> swing_of(const Model& model, const WorldConfig& world,
 // None with fewer than five extremes that stand out of the values' last tenth.
 std::optional<Swing> swing_seen(const std::vector<double>& values, double step);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

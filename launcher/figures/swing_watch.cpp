@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 SwingWatch::SwingWatch(const Model& model, const Scene& scene, const WorldConfig& world)
     : period_(model.period()) {
@@ -40,4 +40,4 @@ void SwingWatch::add(bool pushed, const RobotState& state) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

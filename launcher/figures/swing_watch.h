@@ -10,7 +10,7 @@
 #include "launcher/figures/swing.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class SwingWatch {
  public:
@@ -33,4 +33,4 @@ class SwingWatch {
   std::vector<double> values_;  // torque [N m]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 #include "sim/scene/scene.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class TouchWatch {
  public:
@@ -44,4 +44,4 @@ class TouchWatch {
   int wrong_count_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,7 +7,7 @@
 #include "common/math/pose_math.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -128,4 +128,4 @@ double WalkFigures::travel() const {
   return std::hypot(last_[0] - first_[0], last_[1] - first_[1]);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

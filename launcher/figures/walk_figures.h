@@ -11,7 +11,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class WalkFigures {
  public:
@@ -56,4 +56,4 @@ class WalkFigures {
   double last_time_ = -1.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -8,7 +8,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "viewer_log/view/frame_number.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -286,4 +286,4 @@ std::string FoxgloveScene::obstacles(const ObstaclesPiece& piece, const std::str
   return update(Json::array({std::move(json)}));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -16,7 +16,7 @@
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 inline constexpr char kTransformsSchema[] = "foxglove.FrameTransforms";
 inline constexpr char kSceneSchema[] = "foxglove.SceneUpdate";
@@ -48,4 +48,4 @@ class FoxgloveScene {
   std::int64_t truth_utime_ = 0, transforms_utime_ = 0, forces_utime_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

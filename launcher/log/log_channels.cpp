@@ -9,7 +9,7 @@
 #include "launcher/log/log_scan.h"
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -113,4 +113,4 @@ void require_prefix(const std::string& tool, const std::string& prefix, const st
   throw UsageError(tool + ": no channel of " + file + " begins with --prefix '" + prefix + "'" + where_they_are_listed(file));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 
 #include "viewer_log/log/log_index.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct LogSummary {
   ChannelCounts channels;
@@ -38,4 +38,4 @@ void require_channels(const std::string& tool, const std::vector<std::string>& n
 // Throws UsageError when no channel of the log begins with the prefix; an empty one is always there.
 void require_prefix(const std::string& tool, const std::string& prefix, const std::string& file);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -24,7 +24,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "viewer_log/log/log_writer.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -248,4 +248,4 @@ int log_command(const std::vector<std::string>& words) {
   throw UsageError("log: no tool '" + words[0] + "'" + suggestion(words[0], names));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -22,7 +22,7 @@
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/view/gap_meter.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -235,4 +235,4 @@ at the same ticks: joint angles, torques, foot forces, tilt.
   return reached <= most ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -20,7 +20,7 @@
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/message_schema.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -164,4 +164,4 @@ have their names, as in q.LLEG_KNEE.
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

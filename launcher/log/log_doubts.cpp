@@ -6,7 +6,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "sim/world/step_trust.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::string LogDoubts::text() const {
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

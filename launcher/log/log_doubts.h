@@ -11,7 +11,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class LogDoubts {
  public:
@@ -27,4 +27,4 @@ class LogDoubts {
   std::map<std::int64_t, SimTruth> newest_;  // by run, of the first kMostWorlds
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,7 +7,7 @@
 #include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::int64_t LogGaps::missing(const std::string& channel) const {
   return found == missing_.end() ? 0 : found->second;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -13,7 +13,7 @@
 #include "viewer_log/log/log_event.h"
 #include "viewer_log/log/message_schema.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class LogGaps {
  public:
@@ -35,4 +35,4 @@ class LogGaps {
   std::int64_t holder_ = 0, term_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

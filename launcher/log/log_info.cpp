@@ -15,7 +15,7 @@
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/log_index.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -106,4 +106,4 @@ Channels, counts, rates and duration; of our own logs from their index, however 
   return damage.empty() && check.wrong() == 0 && check.missing() == 0 ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -29,7 +29,7 @@
 #include "viewer_log/log/message_json.h"
 #include "launcher/log/foxglove_scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -247,4 +247,4 @@ Channels whose type is not the project's are left out and counted.
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -5,7 +5,7 @@
 
 #include "viewer_log/log/log_writer.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 void refuse_same_file(const std::string& in, const std::string& out) {
   std::error_code ignored;
@@ -20,4 +20,4 @@ std::string log_output(const Arguments& arguments, const std::string& in) {
   return out;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 
 #include "common/process/arguments.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // The second word of the command, where in is what it reads.  Throws UsageError when both are one file, std::runtime_error
 // when a file of that name, or a part of a log of that name, is there and --force was not given.
@@ -15,4 +15,4 @@ std::string log_output(const Arguments& arguments, const std::string& in);
 // Throws UsageError when out is the file in, by this name or another.
 void refuse_same_file(const std::string& in, const std::string& out);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -5,7 +5,7 @@
 
 #include "common/text/svg.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string svg_of(const std::string& title, const std::vector<Panel>& panels) {
   return svg_sheet(kLeft + kWidth + 20.0, height, svg);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct Curve {
   std::string name;
@@ -29,4 +29,4 @@ struct Panel {
 
 std::string svg_of(const std::string& title, const std::vector<Panel>& panels);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -27,7 +27,7 @@
 #include "common/process/process.h"
 #include "viewer_log/log/message_schema.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -209,4 +209,4 @@ as in STATE.q.LLEG_KNEE,COMMAND.q.LLEG_KNEE; an array by its name draws its firs
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -14,7 +14,7 @@
 #include "robot/description/load.h"
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -94,4 +94,4 @@ and compares bit for bit.  Exit status 0 only if all are the same and nothing is
   return good ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -8,7 +8,7 @@
 #include "robot/description/load.h"
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 constexpr int kSearched = 200'000;  // events, for the first STATE
@@ -57,4 +57,4 @@ std::string field_with_joint(const std::string& field, const Model& model) {
   return name + "." + model.joints[static_cast<std::size_t>(model.bus_joints[k])].name;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

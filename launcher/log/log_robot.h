@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Of the first STATE on this channel; 0: there is none near its beginning.  Throws std::runtime_error naming the log.
 std::int64_t model_hash_of_log(const std::string& file, const std::string& channel);
@@ -20,4 +20,4 @@ std::optional<Model> robot_of_hash(std::int64_t hash, const std::string& asked);
 // "q[3]" -> "q.LLEG_KNEE" for q, qd, tau, kp and kd; others stay.
 std::string field_with_joint(const std::string& field, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
@@ -65,4 +65,4 @@ LogDamage scan_log(const std::string& file, double first_s, double last_s,
   return reader.damage();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

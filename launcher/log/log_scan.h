@@ -8,7 +8,7 @@
 
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Every event from first_s to last_s, in seconds from the first event of the log; visit says false to end early.
 // Ctrl-C ends it with a std::runtime_error.  Damage is told on stderr and given back.
@@ -23,4 +23,4 @@ std::string damage_text(const LogDamage& damage);
 
 inline constexpr double kWholeLog = 1e12;  // [s] the last second of a log that is read to its end
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

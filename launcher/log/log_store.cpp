@@ -10,7 +10,7 @@
 #include "lcmtypes/msg/journal.h"
 #include "viewer_log/log/message_schema.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::string first_difference(const std::string& channel, const std::vector<std::
   return "";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct StoredMessage {
   std::string channel;
@@ -59,4 +59,4 @@ std::vector<std::uint8_t> with_one_bit_mended(std::vector<std::uint8_t> bytes, s
 std::string first_difference(const std::string& channel, const std::vector<std::uint8_t>& logged,
                              const std::vector<std::uint8_t>& now, const char* word_for_now);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -13,7 +13,7 @@
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/log_event.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -260,4 +260,4 @@ void Rerun::compare(Process& process, const JournalPage& page, const std::string
                              : std::string("field not known")));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

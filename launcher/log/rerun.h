@@ -21,7 +21,7 @@
 #include "robot/description/model.h"
 #include "robot/collision/obstacle_collector.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct RerunFigures {
   ProcessKind kind = ProcessKind::kNone;
@@ -80,4 +80,4 @@ class Rerun {
   int mends_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

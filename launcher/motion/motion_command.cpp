@@ -18,7 +18,7 @@
 #include "robot/motion/motion_clip.h"
 #include "robot/motion/motion_file.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -166,4 +166,4 @@ and move the centre of mass as far as balance allows.  Exit status 1 if anything
   return play_motion(bus, model, clip);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

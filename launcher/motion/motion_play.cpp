@@ -9,7 +9,7 @@
 #include "common/process/process.h"
 #include "launcher/operate/operate.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -120,4 +120,4 @@ int play_motion(BusLink& bus, const Model& model, const MotionClip& clip) {
   return 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,9 +6,9 @@
 #include "robot/description/model.h"
 #include "robot/motion/motion_clip.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Exit status.  Throws std::runtime_error when nothing runs, or another robot than model.
 int play_motion(BusLink& bus, const Model& model, const MotionClip& clip);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -17,7 +17,7 @@
 #include "robot/description/model.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -187,4 +187,4 @@ Tells planner and guard that the hand is empty, whoever told them what it holds.
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -29,7 +29,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/udpm_receiver.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -253,4 +253,4 @@ what is missing and the command that mends it.  Exit status 1 if something neede
   return report.bad() == 0 ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

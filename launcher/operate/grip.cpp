@@ -18,7 +18,7 @@
 #include "robot/description/model.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -144,4 +144,4 @@ a pose, and stop at what they grip; an arm that is on its way stops.
   return 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -19,7 +19,7 @@
 #include "robot/description/load.h"
 #include "robot/kinematics/pose_request.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -373,4 +373,4 @@ int squat_command(const std::vector<std::string>& words) {
                         "Moves the body up and down while balancing.");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 
 #include "launcher/bus/bus_link.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Sends request again and again until the controller shows its sequence.  False when it never does.  Throws
 // std::runtime_error before anything is sent when no source is active or the simulated world is paused: a request that
@@ -24,4 +24,4 @@ struct JointsRest {
 // Of the joints of a pose, once its time is over.  False when they rest elsewhere or another mode came.
 bool wait_for_joints(BusLink& bus, const ModeRequest& request, const JointsRest& rest);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

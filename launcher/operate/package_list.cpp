@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -44,4 +44,4 @@ PackageList packages_for(std::istream& list, const std::vector<std::string>& her
   return wanted;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

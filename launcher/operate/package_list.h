@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct PackageList {
   std::vector<std::string> needed, spy;  // always; for ./twinbus spy alone
@@ -17,4 +17,4 @@ std::vector<std::string> release_names(std::istream& os_release);
 // here: those; a package may be for some releases only ([debian-13 ubuntu]) or for all but some ([!ubuntu-22.04]).
 PackageList packages_for(std::istream& list, const std::vector<std::string>& here);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -36,7 +36,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/hand/tools.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -389,4 +389,4 @@ ground frame: midway between the feet, x forward, z up.
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 #include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 constexpr double kOwnFrame = 1e-9;  // a tool no further from the hand's frame is that [m, rad]
@@ -55,4 +55,4 @@ void aim_hand(const Eigen::Isometry3d& tool_in_ground, bool oriented, const Eige
   if (goal.kind == ArmGoalKind::kPose) goal.orientation = array_from_rotation<double>(hand.linear());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

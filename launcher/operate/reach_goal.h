@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // In which frame a goal is said.
 struct ReachFrame {
@@ -35,4 +35,4 @@ inline bool stands_still(const ReachFrame& frame) { return frame.kind == ReachFr
 void aim_hand(const Eigen::Isometry3d& tool_in_ground, bool oriented, const Eigen::Isometry3d& tool_in_hand,
               const Eigen::Isometry3d& hand_in_ground, ArmGoal& goal);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -54,4 +54,4 @@ double ReachProgress::share(double now) const noexcept {
   return std::min(1.0, now / std::max(0.1, duration_));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // A balancing body gives way to a moving arm: what is then left of the way is planned again.
 inline constexpr int kReachCorrections = 3;        // plans after the first
@@ -43,4 +43,4 @@ class ReachProgress {
   const char* failure_ = nullptr;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

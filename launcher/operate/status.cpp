@@ -15,7 +15,7 @@
 #include "launcher/bus/live_table.h"
 #include "lcmtypes/msg/labels.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -120,4 +120,4 @@ Exit status 1 if no source is heard.
   return 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

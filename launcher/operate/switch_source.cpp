@@ -15,7 +15,7 @@
 #include "launcher/bus/bus_link.h"
 #include "lcmtypes/msg/refusal_text.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -267,4 +267,4 @@ into standby first.  Prints why when it is refused; nothing has moved then.
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

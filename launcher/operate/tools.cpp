@@ -21,7 +21,7 @@
 #include "launcher/stack/face_program.h"
 #include "launcher/stack/run_folder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -220,4 +220,4 @@ int chart_command(const std::vector<std::string>& words) {
   become(folder + "chart_" + words[0] + ".py", {words.begin() + 1, words.end()});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

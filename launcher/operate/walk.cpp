@@ -17,7 +17,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -187,4 +187,4 @@ What the legs do not reach, and a sole on the other, is refused before anything 
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

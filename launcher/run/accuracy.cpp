@@ -24,7 +24,7 @@
 #include "sim/scene/fidelity.h"
 #include "sim/scene/settings.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -247,4 +247,4 @@ std::string accuracy_json(const AccuracyChoice& choice, const AccuracyRequest& a
   return json.dump();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

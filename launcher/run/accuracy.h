@@ -13,7 +13,7 @@
 #include "common/process/arguments.h"
 #include "launcher/run/ladder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 inline constexpr double kAutoError = 1e-3;  // of `fidelity: auto` where no error is asked for [m]
 inline constexpr double kBand = 1.5;        // times what the doubts of the run that was measured came to
@@ -60,4 +60,4 @@ Fingerprint ladder_key(const Model& model, const Scene& scene, const OneProcessC
 std::string accuracy_line(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost);
 std::string accuracy_json(const AccuracyChoice& choice, const AccuracyRequest& asked, double cost);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

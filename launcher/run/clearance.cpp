@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 Clearance::RobotBalls Clearance::balls_of(const Model& model) {
   RobotBalls balls;
@@ -56,4 +56,4 @@ void Clearance::look(const World& world) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -10,7 +10,7 @@
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class Clearance {
  public:
@@ -41,4 +41,4 @@ class Clearance {
   GroundContacts ground_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

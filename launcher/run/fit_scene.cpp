@@ -20,7 +20,7 @@
 #include "sim/scene/scene_obstacle.h"
 #include "sim/scene/scene_places.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -207,4 +207,4 @@ Criteria for_robot(Criteria criteria, const Model& model, bool walks) {
   return criteria;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

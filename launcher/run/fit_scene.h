@@ -7,7 +7,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Criteria as they are asked of this robot: of the ZMP's margin no more than half of what its soles
 // can give; of a robot that walks, and so stands on one foot, in proportion to soles narrower than 130 mm or shorter than 220;
@@ -28,4 +28,4 @@ void check_motions(const Scene& scene, const Model& model);
 // Throws std::runtime_error with that sentence.
 void fit_scene(Scene& scene, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

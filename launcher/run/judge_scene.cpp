@@ -9,7 +9,7 @@
 #include "control/point_feet/point_feet_body.h"
 #include "lcmtypes/msg/labels.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -344,4 +344,4 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   return lines + formatted("ended %.2f m from its start\n", w.travel());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -11,7 +11,7 @@
 #include "launcher/run/verdict.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // What `command` is asked for on this scene: its name, --robot, --engine and --seed.  Throws UsageError for an engine that
 // there is not.
@@ -24,4 +24,4 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
 // Lines for people: how it stood and, if it did, how it walked.
 std::string scene_figures(const OneProcess& run, const Criteria& asked);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

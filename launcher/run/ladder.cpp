@@ -14,7 +14,7 @@
 #include "common/time/cpu_time.h"
 #include "launcher/run/clearance.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -417,4 +417,4 @@ std::string ladder_table(const Ladder& ladder, int chosen) {
   return table;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -33,7 +33,7 @@
 #include "launcher/run/less.h"
 #include "launcher/run/local_stack.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Where everything of a run was, every 20 ms.
 struct Track {
@@ -136,4 +136,4 @@ bool falls_alone(const Scene& scene);
 // For people: a line for each rung.
 std::string ladder_table(const Ladder& ladder, int chosen);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -8,7 +8,7 @@
 #include "common/text/formatted.h"
 #include "launcher/run/ladder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -106,4 +106,4 @@ int Ladder::choose_within(double budget) const {
   return best;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "common/text/svg.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::string parts_svg(const std::string& title, const std::vector<ModelledPart>&
   return svg_sheet(words + kWords, y + 16.0, svg);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

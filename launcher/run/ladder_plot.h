@@ -9,7 +9,7 @@
 
 #include "launcher/run/ladder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Both axes logarithmic.  error: asked for [m], 0: none.  chosen: of the rungs, -1: none.
 std::string front_svg(const std::string& title, const Ladder& ladder, int chosen, double error);
@@ -27,4 +27,4 @@ struct ModelledPart {
 std::string parts_svg(const std::string& title, const std::vector<ModelledPart>& parts, double error,
                       const std::vector<std::pair<std::string, double>>& costs);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -7,7 +7,7 @@
 
 #include "launcher/run/ladder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -126,4 +126,4 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

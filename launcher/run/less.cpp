@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::string words_of(const Less& less) {
   return words;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

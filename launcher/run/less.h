@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // What is left out of a run; empty: nothing.
 struct Less {
@@ -53,4 +53,4 @@ Scene without(const Scene& scene, const Less& less);
 // "18 joints held, robot other rigid"; empty for nothing.
 std::string words_of(const Less& less);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -21,7 +21,7 @@
 #include "sim/scene/obstacle_pieces.h"
 #include "sim/scene/scene_requests.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -426,4 +426,4 @@ void OneProcess::watch() {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

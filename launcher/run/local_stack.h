@@ -35,7 +35,7 @@
 #include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Hears every message as a recorder on a bus would: channel, encoded bytes, simulated time [ns].
 using BusListener = std::function<void(const char* channel, std::span<const std::uint8_t> bytes,
@@ -194,4 +194,4 @@ class OneProcess {
   double touch_depth_ = 0.0, touch_time_ = 0.0;  // deepest of these two [m]; since the start of the scene [s]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

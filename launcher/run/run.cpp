@@ -32,7 +32,7 @@
 #include "sim/world/world.h"
 #include "viewer_log/log/log_writer.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -368,4 +368,4 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   return verdict.passed ? 0 : 1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -15,7 +15,7 @@
 #include "robot/description/load.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -91,4 +91,4 @@ text, small letters or capitals.  ./twinbus run SCENE judges one, ./twinbus up S
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

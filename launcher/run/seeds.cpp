@@ -17,7 +17,7 @@
 #include "launcher/bus/event_groups.h"
 #include "launcher/run/judge_scene.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -221,4 +221,4 @@ std::string seeds_json(const std::vector<SeedResult>& results, const SeedsReques
   return json.dump(2) + "\n";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -10,7 +10,7 @@
 #include "launcher/run/local_stack.h"
 #include "launcher/run/verdict.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct SeedRange {
   std::uint64_t first = 1, last = 0;  // none when last < first
@@ -55,4 +55,4 @@ std::string seeds_text(const std::vector<SeedResult>& results, const SeedsReques
 std::string seeds_json(const std::vector<SeedResult>& results, const SeedsRequest& seeds, const RunRequest& request,
                        double wall_s);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

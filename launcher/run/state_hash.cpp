@@ -7,7 +7,7 @@
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::string StateHash::text() const {
   return formatted("%016llx", static_cast<unsigned long long>(hash_));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class StateHash {
  public:
@@ -21,4 +21,4 @@ class StateHash {
   bool whole_ = true;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

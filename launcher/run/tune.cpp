@@ -21,7 +21,7 @@
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -322,4 +322,4 @@ steps were tried for it and what each is off.
   return 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -100,4 +100,4 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
   return out.str();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -252,4 +252,4 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   return report.dump(2) + "\n";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

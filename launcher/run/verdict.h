@@ -10,7 +10,7 @@
 #include "launcher/bus/stack_monitor.h"
 #include "sim/world/step_trust.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // What the run was asked for.
 struct RunRequest {
@@ -81,4 +81,4 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
 std::string report_json(const RunVerdict& verdict, const RunRequest& request, const StackMonitor& seen,
                         double wall_s, const std::string& state_hash);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -168,4 +168,4 @@ std::vector<std::string> tail_of(const std::string& file, int count) {
   return lines;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

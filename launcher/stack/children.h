@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct ChildSpec {
   std::string name;
@@ -64,4 +64,4 @@ class Child {
 // Last lines of a text file, at most count; empty if it cannot be read.
 std::vector<std::string> tail_of(const std::string& file, int count);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

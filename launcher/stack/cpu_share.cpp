@@ -6,7 +6,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -57,4 +57,4 @@ double CpuShare::recent(std::int32_t pid, std::int64_t now_ns) {
   return past.recent;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // CPU time of a process since its start [s], all threads; negative if there is no such process here.
 double cpu_seconds(std::int32_t pid);
@@ -34,4 +34,4 @@ class CpuShare {
   std::map<std::int32_t, Known> known_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -5,7 +5,7 @@
 
 #include "launcher/stack/run_folder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 std::string face_program() {
   const std::string program = program_folder() + "/twinbus_face";
@@ -36,4 +36,4 @@ void add_face(Stack& stack, const std::string& kind, const std::vector<std::stri
   stack.processes.push_back(face);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

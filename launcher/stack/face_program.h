@@ -7,7 +7,7 @@
 
 #include "launcher/stack/stack.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Its path.  Throws std::runtime_error naming the packages when it was not built.
 std::string face_program();
@@ -16,4 +16,4 @@ std::string face_program();
 // that has a controller of its own, which would be obeyed instead.
 void add_face(Stack& stack, const std::string& kind, const std::vector<std::string>& options);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -12,7 +12,7 @@
 #include "common/time/time_name.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace fs = std::filesystem;
 
@@ -90,4 +90,4 @@ std::string commit_of_program() {
   return program_is_installed() && !installed.empty() ? installed : commit_of_tree(install_folder());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 // Makes DATE-TIME in runs_folder(), or DATE-TIME-2 and so on when there is one already.
 // Throws std::runtime_error naming the folder if it cannot be made.
@@ -26,4 +26,4 @@ std::string commit_of_program();
 // Of a checkout or a worktree of git; "unknown" where it is none.
 std::string commit_of_tree(const std::string& tree);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -11,7 +11,7 @@
 #include "common/text/xml.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::vector<std::string> fill_in(const StackProcess& process, const Placeholders
   return filled;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

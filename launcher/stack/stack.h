@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 enum class ReadyWhen {
   kMessage,  // first message on a channel, from this very process where the message tells
@@ -62,4 +62,4 @@ bool moves_hardware(const Stack& stack);
 using Placeholders = std::map<std::string, std::vector<std::string>>;
 std::vector<std::string> fill_in(const StackProcess& process, const Placeholders& values);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

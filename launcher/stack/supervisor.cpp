@@ -6,7 +6,7 @@
 
 #include "launcher/stack/run_folder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -196,4 +196,4 @@ bool Supervisor::stop_all() {
   return well;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

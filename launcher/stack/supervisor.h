@@ -13,7 +13,7 @@
 #include "launcher/stack/children.h"
 #include "launcher/stack/stack.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct Supervised {
   StackProcess process;
@@ -71,4 +71,4 @@ class Supervisor {
   bool broken_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

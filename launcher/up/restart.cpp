@@ -17,7 +17,7 @@
 #include "launcher/commands/commands.h"
 #include "launcher/stack/run_folder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -111,4 +111,4 @@ A source that is started anew is parked; it moves nothing until it is asked.)"},
   throw std::runtime_error("the stack in " + folder + " does not answer");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

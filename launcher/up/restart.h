@@ -9,7 +9,7 @@
 
 #include "launcher/stack/supervisor.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class RestartRequests {
  public:
@@ -33,4 +33,4 @@ void keep_viewer_addresses();
 // The folder of the one stack that runs.  Throws std::runtime_error when there is none, or several.
 std::string running_folder();
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

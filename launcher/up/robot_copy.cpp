@@ -13,7 +13,7 @@
 #include "common/text/xml.h"
 #include "launcher/stack/run_folder.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -187,4 +187,4 @@ std::string edited_srdf(const std::string& srdf, const std::string& robot,
   return text.insert(end, more);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

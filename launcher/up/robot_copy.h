@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct RobotChange {
   // JSON; every key may be left out, and every number of a limb, which then stays:
@@ -36,4 +36,4 @@ std::string edited_srdf(const std::string& srdf, const std::string& robot,
                         const std::string& pose,
                         const std::vector<std::pair<std::string, double>>& joints);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

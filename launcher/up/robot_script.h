@@ -9,7 +9,7 @@
 #include "bridge/source/scene_script.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class RobotScript {
  public:
@@ -46,4 +46,4 @@ class RobotScript {
   std::int32_t base_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -20,7 +20,7 @@
 #include "sim/sim_adaptor.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -250,4 +250,4 @@ std::int64_t save_number(const std::string& wish_text) {
   return save->get<std::int64_t>();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -17,7 +17,7 @@
 #include <cstdint>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 struct Setup {
   std::string scene;  // file
@@ -40,4 +40,4 @@ bool only_saves(const std::string& wish);
 // The number of such a wish.  Throws std::runtime_error where it is none.
 std::int64_t save_number(const std::string& wish);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -15,7 +15,7 @@
 #include "launcher/stack/run_folder.h"
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -158,4 +158,4 @@ void drop_events_of_the_loop(std::vector<std::string>& events) {
   });
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -14,7 +14,7 @@
 #include "launcher/stack/stack.h"
 #include "launcher/stack/supervisor.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 class SetupWishes {
  public:
@@ -55,4 +55,4 @@ void start_anew(const Stack& stack, bool other_robot, Supervisor& supervisor, Bu
 // Takes out what sources, controller, guard and planner say of themselves when they begin anew.
 void drop_events_of_the_loop(std::vector<std::string>& events);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

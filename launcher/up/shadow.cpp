@@ -4,7 +4,7 @@
 
 #include "common/process/process.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 constexpr double kShadowTimeout = 10.0, kAskForShadow = 0.25;  // [s]
@@ -31,4 +31,4 @@ bool put_in_shadow(BusLink& bus, const Supervisor& supervisor, const std::string
   throw std::runtime_error("'" + name + "' does not shadow the active source within 10 s");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

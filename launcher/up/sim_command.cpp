@@ -19,7 +19,7 @@
 #include "launcher/up/restart.h"
 #include "robot/description/load.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -140,4 +140,4 @@ the bridge does none of it.
   return ask_simulator(arguments, request);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

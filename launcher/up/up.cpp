@@ -39,7 +39,7 @@
 #include "sim/scene/scene_requests.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -477,4 +477,4 @@ int up_command(const std::vector<std::string>& words) {
   return up.run();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

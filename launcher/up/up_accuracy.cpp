@@ -9,7 +9,7 @@
 #include "common/text/formatted.h"
 #include "sim/scene/scene_seed.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string UpAccuracy::in_report(const std::string& report) const {
   return json.dump(2) + "\n";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -13,7 +13,7 @@
 #include "launcher/run/verdict.h"
 #include "launcher/stack/stack.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 inline constexpr double kPhysicsShare = 0.5;  // of a control period that the physics may take; the rest is for everybody else
 
@@ -48,4 +48,4 @@ class UpAccuracy {
   double period_ = 0.0;  // of control [s]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

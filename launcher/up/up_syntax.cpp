@@ -6,7 +6,7 @@
 
 #include "common/process/priority.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 Syntax up_syntax() {
   std::string stacks;
@@ -123,4 +123,4 @@ std::vector<std::string> recorder_words(const Arguments& arguments) {
   return words;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -9,7 +9,7 @@
 #include "launcher/run/verdict.h"
 #include "launcher/stack/stack.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 Syntax up_syntax();
 
@@ -28,4 +28,4 @@ Placeholders placeholders_of(const Arguments& arguments, const RunRequest& reque
 // Throws UsageError for a stack that plays a log when none is named.
 void refuse_without_log(const Arguments& arguments, const Stack& stack);
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

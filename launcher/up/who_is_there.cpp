@@ -4,7 +4,7 @@
 
 #include "launcher/bus/bus_link.h"
 
-namespace twinbus {
+namespace twinbus::inline launcher {
 
 std::string who_is_in_the_way(const StackMonitor& seen, const Stack& stack, std::int64_t now_ns) {
   std::string who;
@@ -29,4 +29,4 @@ std::string who_is_in_the_way(const StackMonitor& seen, const Stack& stack, std:
   return who;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::launcher

@@ -17,7 +17,7 @@
 #include "lcmtypes/bus/socket_filter.h"
 #include "lcmtypes/bus/udpm_receiver.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 namespace {
 
@@ -252,4 +252,4 @@ std::int64_t Bus::dropped_datagrams() const noexcept {
   return receiver_ ? twinbus::dropped_datagrams(receiver_->fileno()) : 0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

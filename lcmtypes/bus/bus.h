@@ -31,7 +31,7 @@
 struct _lcm_t;
 struct _lcm_recv_buf_t;
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 class UdpmReceiver;
 
@@ -199,4 +199,4 @@ class Bus {
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

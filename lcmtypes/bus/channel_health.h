@@ -7,7 +7,7 @@
 
 #include "lcmtypes/bus/missing_messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 struct BusCounters {
   std::int64_t received = 0;  // admitted messages
@@ -60,4 +60,4 @@ class ChannelHealth {
   bool known_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -7,7 +7,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // Used as its name where one is wanted.
 template <class T>
@@ -79,4 +79,4 @@ constexpr auto channel_of(const ArmGoal&) noexcept { return channel::kArmGoal; }
 constexpr auto channel_of(const ArmPathPiece&) noexcept { return channel::kArmPath; }
 constexpr auto channel_of(const GuardReport&) noexcept { return channel::kGuard; }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -4,7 +4,7 @@
 #include "lcmtypes/bus/field_copier.h"
 #include "lcmtypes/bus/message_fields.h"  // fields() of every struct, made by lcmtypes/generate.py
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 template <class T>
 Status to_message(const T& value, Message<T>& message) noexcept {
@@ -26,4 +26,4 @@ Status from_message(const Message<T>& message, T& value) noexcept {
 TWINBUS_MESSAGES(TWINBUS_CONVERT)
 #undef TWINBUS_CONVERT
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -12,7 +12,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 template <class T>
 using Message = typename MessageOf<T>::type;
@@ -23,4 +23,4 @@ Status to_message(const T& value, Message<T>& message) noexcept;
 template <class T>
 Status from_message(const Message<T>& message, T& value) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

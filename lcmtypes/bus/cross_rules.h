@@ -9,7 +9,7 @@
 #include "lcmtypes/bus/field_copier.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 template <class C, class S>
 void cross_rules(C&, const S&) noexcept {}
@@ -44,4 +44,4 @@ void cross_rules(C& c, const ObstaclesPiece& s) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

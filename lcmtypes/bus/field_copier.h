@@ -14,7 +14,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 inline constexpr double kLargestNumber = 1e12;  // in any SI unit; its square still fits a float
 inline constexpr std::int64_t kIds = std::int64_t{1} << 53;
@@ -162,4 +162,4 @@ class Copier {
 template <class S, class T>
 concept Is = std::same_as<std::remove_const_t<S>, T>;
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

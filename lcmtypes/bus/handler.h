@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // The message that a method hears: T of void f(const T&, ...).
 template <class Method>
@@ -40,4 +40,4 @@ struct CallItself {
   }
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -12,7 +12,7 @@
 #include "lcmtypes/bus/missing_messages.h"
 #include "lcmtypes/bus/wire.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 enum class Verdict : std::int8_t { kTaken, kRepeated, kRejected };
 
@@ -125,4 +125,4 @@ struct Slots {
   static constexpr double kForgotten = 5.0;  // [s]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

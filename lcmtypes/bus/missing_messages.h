@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 class MissingMessages {
  public:
@@ -34,4 +34,4 @@ class MissingMessages {
   std::size_t next_ = 0, seen_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -14,7 +14,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/node/pulse.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 inline BusOptions bus_options(const CommonOptions& common) {
   return {.url = common.url, .prefix = common.prefix, .allow = {common.allow}};
@@ -100,4 +100,4 @@ struct SendPage {
   void operator()(const JournalPage& page) const noexcept { node->send(channel::kJournal, page); }
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

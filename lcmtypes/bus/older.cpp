@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 namespace {
 
@@ -22,11 +22,11 @@ struct OlderMessage {
 
 }  // namespace
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes
 
 #include "lcmtypes/bus/older_messages.h"  // made by lcmtypes/generate.py
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::span<const std::uint8_t> as_before(std::span<const std::uint8_t> bytes, std
   return {};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // The bytes that a message of an older version has now, written to room; any other message as it is.  They are as good as room
 // and bytes are.
@@ -17,4 +17,4 @@ std::span<const std::uint8_t> renewed(std::span<const std::uint8_t> bytes, std::
 // no other version.
 std::span<const std::uint8_t> as_before(std::span<const std::uint8_t> bytes, std::span<std::uint8_t> room) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -7,7 +7,7 @@
 #include "common/process/process.h"
 #include "lcmtypes/bus/bus.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // A request with its addressing, sent several times under one sequence number.
 template <class T>
@@ -32,4 +32,4 @@ struct Outgoing {
   }
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

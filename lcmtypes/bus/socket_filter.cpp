@@ -11,7 +11,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 namespace {
 
@@ -129,4 +129,4 @@ int enlarge_receive_buffer(int socket, int bytes) {
   return now;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // IPv4 address "10.0.0.2" as a number in host byte order.  Throws std::invalid_argument naming the
 // text.
@@ -35,4 +35,4 @@ std::int64_t dropped_datagrams(int socket);
 // now [bytes].
 int enlarge_receive_buffer(int socket, int bytes);
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

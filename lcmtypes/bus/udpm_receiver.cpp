@@ -15,7 +15,7 @@
 
 #include "lcmtypes/bus/socket_filter.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 namespace {
 
@@ -161,4 +161,4 @@ bool UdpmReceiver::next(Datagram& datagram) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // What udpm://ADDRESS:PORT?options names.
 struct MulticastGroup {
@@ -68,4 +68,4 @@ class UdpmReceiver {
   std::unique_ptr<std::uint8_t[]> buffer_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -7,7 +7,7 @@
 #include "lcmtypes/bus/convert.h"
 #include "lcmtypes/bus/older.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 template <class T>
 int encode(const T& value, std::span<std::uint8_t> bytes) noexcept {
@@ -101,4 +101,4 @@ const ChannelInfo* find_channel(const char* channel) noexcept {
 TWINBUS_MESSAGES(TWINBUS_WIRE)
 #undef TWINBUS_WIRE
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -14,7 +14,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 inline constexpr int kLargestMessage = 1400;  // one Ethernet frame, so never split [bytes]
 
@@ -52,4 +52,4 @@ std::span<const ChannelInfo> channel_table();
 // Null for a channel that is not ours.  A name without its prefix.
 const ChannelInfo* find_channel(const char* channel) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

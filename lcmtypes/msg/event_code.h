@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 inline constexpr std::int16_t kArmPathRefused = 1;  // by the controller: an ARM_PATH is not followed, and why
 inline constexpr std::int16_t kArmGoalRefused = 2;  // by the planner: there is no path to an ARM_GOAL, and why
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

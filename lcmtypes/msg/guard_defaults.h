@@ -3,7 +3,7 @@
 
 #pragma once
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 struct GuardDefaults {
   static constexpr double kInController = 0.010;  // [m]
@@ -11,4 +11,4 @@ struct GuardDefaults {
   static constexpr double kSecondOpinion = 0.006;  // of the guard process, silent while the other does its work [m]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

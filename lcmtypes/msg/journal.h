@@ -12,7 +12,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // content_hash word by word, forwards and back.
 class HashSteps {
@@ -110,4 +110,4 @@ class JournalWriter {
   JournalPage page_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -5,7 +5,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 struct MotionDefaults {
   float amplitude, frequency;  // [m], [Hz]
@@ -22,4 +22,4 @@ constexpr MotionDefaults defaults_of(Motion motion) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

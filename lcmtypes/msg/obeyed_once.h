@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // The highest sequence of each sender; of more than N senders the one that was new first is forgotten.  Sender 0 is nobody's
 // and not remembered.
@@ -67,4 +67,4 @@ class SpentNumbers {
   std::size_t next_ = 0, count_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

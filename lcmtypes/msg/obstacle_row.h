@@ -7,7 +7,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 inline void place_row(const Eigen::Isometry3d& pose, std::size_t row,
                       ObstaclesPiece& piece) noexcept {
@@ -18,4 +18,4 @@ inline void place_row(const Eigen::Isometry3d& pose, std::size_t row,
                          static_cast<float>(q.y()), static_cast<float>(q.z())};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -6,7 +6,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // kPaused, kSlowed: a simulated world whose clock was asked for something (sim_request_t); kPatient: real time, but for the time
 // that it waits for late commands.
@@ -14,4 +14,4 @@ enum class Pace : std::int8_t { kRealTime = 1, kLockStep = 2, kFreeRun = 3, kPau
 
 inline bool has_pace(const SourceStatus& status, Pace pace) noexcept { return status.pace == static_cast<std::int8_t>(pace); }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

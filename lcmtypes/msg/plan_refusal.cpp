@@ -2,7 +2,7 @@
 
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 std::string plan_refusal(ArmPathStatus status, const std::string& a, const std::string& b, double miss, bool oriented) {
   switch (status) {
@@ -24,4 +24,4 @@ std::string plan_refusal(ArmPathStatus status, const std::string& a, const std::
   return "the goal makes no sense";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -2,7 +2,7 @@
 
 #include "common/text/name_of.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 namespace {
 
@@ -36,4 +36,4 @@ const char* refusal_text(Refusal refusal) noexcept {
   return name_of(refusal, kRefusal, "refused for a reason that this version does not know");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -4,9 +4,9 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // A sentence that says what is wrong and what to do; never null.
 const char* refusal_text(Refusal refusal) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

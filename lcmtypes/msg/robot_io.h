@@ -9,7 +9,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // Rows of RobotState::wrench: the feet in the order of Estimate, then the hands.
 enum Limb : int { kLeftFoot = 0, kRightFoot = 1, kLeftHand = kMaxFeet, kRightHand, kLimbs };
@@ -28,4 +28,4 @@ using PerJoint = std::array<T, kMaxJoints>;
 inline constexpr std::int16_t kCommandStopping = 1;
 inline constexpr std::int16_t kCommandNoFade = 2;  // not faded in: begins where the set-point is
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -12,7 +12,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 class StateAdmission {
  public:
@@ -89,4 +89,4 @@ class StateAdmission {
   std::int64_t changes_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

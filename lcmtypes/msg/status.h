@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 enum class [[nodiscard]] Status : std::int8_t{
     kOk = 0,
@@ -45,4 +45,4 @@ constexpr const char* to_text(Status status) {
   return "unknown";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 StepList read_steps(const ConfigNode& node) {
   StepList list;
@@ -25,4 +25,4 @@ StepList read_steps(const ConfigNode& node) {
   return list;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

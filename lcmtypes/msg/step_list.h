@@ -7,9 +7,9 @@
 #include "common/text/strict_yaml.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 // The key `steps` of a map.  Throws std::runtime_error naming file, line and key.
 StepList read_steps(const ConfigNode& node);
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -9,7 +9,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 inline constexpr int kPlanKnotsPerPiece = std::tuple_size_v<decltype(StopPlanPiece::phase)>;
 inline constexpr int kMostPlanPieces = 8;
@@ -35,4 +35,4 @@ inline constexpr std::int8_t kPlanSingle = 1, kPlanOnRight = 2;
 using PlanRow = std::array<std::int16_t, kMaxJoints>;
 using PlanBalanceRow = std::array<std::int16_t, kPlanColumns>;
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

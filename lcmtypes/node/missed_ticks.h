@@ -9,7 +9,7 @@
 #include "common/time/jitter_probe.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 class MissedTicks {
  public:
@@ -41,4 +41,4 @@ class MissedTicks {
   std::int64_t stalled_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

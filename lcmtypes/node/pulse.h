@@ -11,7 +11,7 @@
 #include "common/time/latency_histogram.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline lcmtypes {
 
 class Pulse {
  public:
@@ -69,4 +69,4 @@ class Pulse {
   std::int64_t last_tick_ns_ = 0, beat_ns_ = 0, window_ns_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::lcmtypes

@@ -16,7 +16,7 @@
 #include "common/math/index.h"
 #include "common/simd/vec4.h"  // TWINBUS_INLINE
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 // The order of these files matters.
 // clang-format off
@@ -149,4 +149,4 @@ int nearest_point(const float* columns, int stride, int count, int joints, const
   return TWINBUS_BLOCK(best_instruction_set(), nearest(columns, stride, count, joints, q, found));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

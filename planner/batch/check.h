@@ -17,7 +17,7 @@
 #include "planner/batch/scene.h"
 #include "common/simd/instruction_set.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct BlockWork;  // what a check writes on
 
@@ -62,4 +62,4 @@ class BlockCheck {
   std::int64_t blocks_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

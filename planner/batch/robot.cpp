@@ -8,7 +8,7 @@
 #include "common/math/pose_math.h"
 #include "geometry/bounds/coarse_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -296,4 +296,4 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
   return robot;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

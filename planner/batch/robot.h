@@ -15,7 +15,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 inline constexpr int kMostPlanned = 24;   // joints planned together
 inline constexpr int kBlockBodies = 48;   // bodies
@@ -122,4 +122,4 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
                          const std::vector<int>& planned, const std::vector<BallGroup>& groups,
                          const std::vector<std::pair<int, int>>& pairs, double grow);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

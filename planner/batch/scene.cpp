@@ -4,7 +4,7 @@
 #include <cmath>
 
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -95,4 +95,4 @@ void BlockScene::finish() {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

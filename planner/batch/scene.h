@@ -7,7 +7,7 @@
 
 #include "robot/collision/collision.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct BlockShape {
   enum class Kind { kBox, kCapsule, kCylinder, kSphere };
@@ -34,4 +34,4 @@ class BlockScene {
   std::vector<float> low[3], high[3];  // filled up to a multiple of 8 with boxes that hold nothing
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -9,7 +9,7 @@
 // Vectors are passed by value between inlined functions only.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 typedef float Lanes __attribute__((vector_size(32), aligned(32)));
 typedef std::int32_t Flags __attribute__((vector_size(32), aligned(32)));  // -1 or 0 per lane
@@ -53,4 +53,4 @@ struct BlockWork {
   int last_body;  // the highest that anything near is fixed to
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

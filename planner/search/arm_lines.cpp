@@ -10,7 +10,7 @@
 #include "robot/collision/links/inscribed_spheres.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -211,4 +211,4 @@ std::vector<BallGroup> balls_along_held(const Model& model, const std::vector<Ob
   return groups;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

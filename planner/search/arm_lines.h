@@ -10,7 +10,7 @@
 #include "planner/search/edge_check.h"
 #include "planner/search/rrt_connect.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 SearchPoint to_search(const JointPoint& q);
 JointPoint from_search(const SearchPoint& q, int joints);
@@ -50,4 +50,4 @@ std::vector<BallGroup> balls_along_links(const Model& model);
 // The same of what hands hold, in the order of the obstacles that take part; the others get no balls.
 std::vector<BallGroup> balls_along_held(const Model& model, const std::vector<Obstacle>& obstacles);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

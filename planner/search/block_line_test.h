@@ -8,7 +8,7 @@
 #include "planner/batch/check.h"
 #include "planner/search/rrt_connect.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 class BlockLineTest : public LineTest {
  public:
@@ -25,4 +25,4 @@ class BlockLineTest : public LineTest {
   float density_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -157,4 +157,4 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -5,7 +5,7 @@
 #include "planner/search/block_line_test.h"
 #include "planner/search/shorten.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct CertainPath {
   SearchPath path;       // empty: none was found
@@ -24,4 +24,4 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
                          const SearchPoint& start, const SearchPath& goals,
                          bool (*keep_on)(void*) = nullptr, void* user = nullptr);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

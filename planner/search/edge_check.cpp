@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/joint_reach.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 constexpr int kHalvings = 16;  // of a line at whose ends something is near
@@ -170,4 +170,4 @@ bool EdgeCheck::curve_free(const std::array<JointPoint, 4>& curve, int halvings)
   return curve_free(first, halvings - 1) && curve_free(second, halvings - 1);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

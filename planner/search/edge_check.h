@@ -21,7 +21,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 inline constexpr int kNearPairs = 64;  // looked at in one posture; more are too many
 
@@ -93,4 +93,4 @@ class EdgeCheck : public FreeSpace {
   std::int64_t checks_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

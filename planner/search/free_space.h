@@ -8,7 +8,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 // Positions of the joints that are planned, never on the heap.
 using JointPoint = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kArmJoints, 1>;  // [rad or m]
@@ -22,4 +22,4 @@ class FreeSpace {
   virtual bool line_free(const JointPoint& from, const JointPoint& to) = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

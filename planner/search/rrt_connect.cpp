@@ -9,7 +9,7 @@
 #include "common/math/splitmix64.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -186,4 +186,4 @@ SearchPath JointSearch::find(LineTest& test, const SearchPoint& start, const Sea
   return {};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -15,7 +15,7 @@
 
 #include "planner/batch/robot.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 // Positions of the planned joints; the rest is zero [rad or m].
 using SearchPoint = std::array<float, kMostPlanned>;
@@ -78,4 +78,4 @@ class JointSearch {
   float first_radius_ = 0.0F, least_radius_ = 0.0F;  // of nodes from which a step failed [rad]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

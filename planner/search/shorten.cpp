@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -99,4 +99,4 @@ void shorten(LineTest& test, SearchPath& path, int joints) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -4,9 +4,9 @@
 
 #include "planner/search/rrt_connect.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 // The ends stay; every line stays free.
 void shorten(LineTest& test, SearchPath& path, int joints);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

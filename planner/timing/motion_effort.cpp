@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 MotionEffort::MotionEffort(const Model& model, const Configuration& posture,
                            const std::vector<int>& joints)
@@ -75,4 +75,4 @@ double MotionEffort::slower(const TimedPath& path) {
   return std::sqrt(most);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

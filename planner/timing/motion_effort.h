@@ -11,7 +11,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 class MotionEffort {
  public:
@@ -48,4 +48,4 @@ class MotionEffort {
   double largest_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

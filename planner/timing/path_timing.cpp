@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -364,4 +364,4 @@ LimitUse limit_use(const TimedPath& path, const TimingLimits& limits) {
   return use;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -19,7 +19,7 @@
 
 #include "planner/timing/rounded_path.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 struct TimingLimits {
   JointPoint velocity;      // [rad/s]
@@ -60,4 +60,4 @@ struct LimitUse {
 };
 LimitUse limit_use(const TimedPath& path, const TimingLimits& limits);
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 namespace {
 
@@ -81,4 +81,4 @@ void RoundedPath::at(double s, JointPoint& q, JointPoint& dq, JointPoint& ddq) c
   ddq = 2.0 / (length * length) * (piece.from - 2.0 * piece.corner + piece.to);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

@@ -11,7 +11,7 @@
 
 #include "planner/search/free_space.h"
 
-namespace twinbus {
+namespace twinbus::inline planner {
 
 class RoundedPath {
  public:
@@ -34,4 +34,4 @@ class RoundedPath {
   std::vector<double> starts_{0.0};  // s where each piece starts, and the end
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::planner

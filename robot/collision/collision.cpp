@@ -9,7 +9,7 @@
 #include "robot/collision/collision_impl.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -416,4 +416,4 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

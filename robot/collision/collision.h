@@ -19,7 +19,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/collision/continuous.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct CollisionPair {
   int link_a = 0;
@@ -168,4 +168,4 @@ class Collision::PathsAhead {
   Impl* impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "robot/collision/links/geometry_cache.h"
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -102,4 +102,4 @@ void enclose(CollisionOwner& owner) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -13,7 +13,7 @@
 #include "geometry/distance/mesh_distance.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct CollisionShape {  // one shape, of a link or an obstacle
   ConvexShape convex;
@@ -44,4 +44,4 @@ CollisionShape collision_shape(const Shape& shape);
 // Computes the sphere.
 void enclose(CollisionOwner& owner);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -16,7 +16,7 @@
 #include "robot/collision/shape_gap.h"
 #include "robot/collision/continuous.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct FlatShape {  // all shapes in a row
   int owner = 0;
@@ -110,4 +110,4 @@ struct Collision::Impl {
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 
 #include "robot/collision/loop_joints.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -81,4 +81,4 @@ bool joint_moves_pair(const Model& model, int joint, int link_a, int link_b) {
   return joint_moves_link(model, joint, link_a) != moves_b;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 #include "robot/collision/collision.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Neighbours: the nearest ancestor of one that bears any geometry is the other, or a loop of
 // robot.yaml pins one to the other.
@@ -26,4 +26,4 @@ bool hangs_on(const Model& model, int link, int on);
 bool stays_above_ground(const Model& model, int link);
 bool is_ground(const Obstacle& obstacle) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include "geometry/distance/body_data.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -441,4 +441,4 @@ SweptShapes::Bounds SweptShapes::bounds(int pair) const noexcept {
   return b;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

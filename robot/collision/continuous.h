@@ -29,7 +29,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "geometry/distance/broad_phase.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class SweptShapes {
  public:
@@ -92,4 +92,4 @@ class SweptShapes {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "geometry/distance/convex_shape.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -270,4 +270,4 @@ int Collision::PathPlaces::next_nearer(PathPair& pair, bool depths, int& looks, 
   return -1;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -53,4 +53,4 @@ void print_loops(const Model& model, const char* program) {
   if (!sentence.empty()) std::fprintf(stderr, "%s: %s\n", program, sentence.c_str());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct PinnedLinks {
   int a = 0;
@@ -29,4 +29,4 @@ std::string loops_sentence(const Model& model);
 // Prints it, if there is one, behind the program's name on the standard error.
 void print_loops(const Model& model, const char* program);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

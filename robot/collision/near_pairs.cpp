@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "lcmtypes/msg/guard_defaults.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 MarginShares::MarginShares(const Model& model) : links_(model.link_count()) {
   const auto n = at(links_);
@@ -18,4 +18,4 @@ MarginShares::MarginShares(const Model& model) : links_(model.link_count()) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

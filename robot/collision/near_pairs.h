@@ -13,7 +13,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // What is kept of a pair, as a share of what is kept of others.
 class MarginShares {
@@ -32,4 +32,4 @@ class MarginShares {
   std::vector<double> share_;  // [links x links]; empty when all are alike
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "robot/collision/collision.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class ObstacleCollector {
  public:
@@ -97,4 +97,4 @@ class ObstacleCollector {
   bool complete_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 #include "geometry/distance/convex_shape.h"
 #include "geometry/distance/gjk.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -106,4 +106,4 @@ bool ShapeGap::nearer(CollisionShape& a, CollisionShape& b, ShapeMemory& remembe
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "robot/collision/collision_body.h"
 #include "geometry/distance/mesh_distance.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Of two shapes at the last look; it says where to look first, never what is there.
 struct ShapeMemory {
@@ -38,4 +38,4 @@ class ShapeGap {
                      MeshMemory& memory, PairDistance& result) noexcept;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

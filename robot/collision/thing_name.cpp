@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 bool is_floor(const Obstacle& obstacle) noexcept {
   constexpr double kWide = 2.0, kLevel = 1e-3;  // [m]; [m, rad]
@@ -36,4 +36,4 @@ ThingName thing_name(const Model& model, const std::vector<Obstacle>& obstacles,
   return name;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 
 #include "robot/collision/collision.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 using ThingName = std::array<char, 64>;  // zero-terminated
 
@@ -18,4 +18,4 @@ bool is_floor(const Obstacle& obstacle) noexcept;
 // index: as in CollisionPair.
 ThingName thing_name(const Model& model, const std::vector<Obstacle>& obstacles, int index) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::string resolve_asset(const std::string& name, const AssetRoots& roots,
   return file.string();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // What may be read: the robot's own folder, also as the package of its own name, and the folders
 // that robot.yaml names.
@@ -21,4 +21,4 @@ struct AssetRoots {
 std::string resolve_asset(const std::string& name, const AssetRoots& roots,
                           const std::string& where);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

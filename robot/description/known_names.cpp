@@ -5,7 +5,7 @@
 
 #include "common/text/closest_name.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -254,4 +254,4 @@ void check_names(const XmlElement& root, const KnownElement& known, const std::s
   names.add_notes(notes);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // What may stand in an element.
 struct KnownElement {
@@ -29,4 +29,4 @@ const KnownElement& known_srdf();
 void check_names(const XmlElement& root, const KnownElement& known, const std::string& file,
                  std::vector<std::string>& notes);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

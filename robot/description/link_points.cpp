@@ -7,7 +7,7 @@
 
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -82,4 +82,4 @@ double outside_hull(const std::vector<Eigen::Vector3d>& points, const Eigen::Vec
   return outside;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

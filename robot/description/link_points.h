@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // In the link frame [m].  A sphere and the rims of a cylinder become a few points on them.  Throws
 // std::runtime_error when a mesh cannot be read.
@@ -21,4 +21,4 @@ std::vector<Eigen::Vector3d> link_points(const Link& link);
 // How far a point sticks out of the hull of points [m], to about 1 % of its size; 0 inside.
 double outside_hull(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& point);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

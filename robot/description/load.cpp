@@ -18,7 +18,7 @@
 #include "robot/description/srdf.h"
 #include "robot/description/urdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -335,4 +335,4 @@ Model load_repaired_urdf(const std::string& text, const std::string& file,
   return model;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

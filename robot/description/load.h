@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // name_or_folder: a folder, or the name of one under config/robots of the installation
 // ($TWINBUS_CONFIG or the source tree).  Throws std::runtime_error with one sentence naming file,
@@ -46,4 +46,4 @@ std::string robot_folder(const std::string& name_or_folder);
 // Folder of the installed configuration: robots/, scenes/, stacks/.  $TWINBUS_CONFIG wins.
 std::string config_folder();
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -4,7 +4,7 @@
 
 #include "common/text/strict_yaml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -32,4 +32,4 @@ Loop read_loop(const ConfigNode& node) {
   return loop;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

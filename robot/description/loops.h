@@ -10,9 +10,11 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace twinbus {
-
+namespace twinbus::inline common {
 class ConfigNode;
+}  // namespace twinbus::common
+
+namespace twinbus::inline robot {
 
 struct Loop {
   std::string link;                                 // of the URDF
@@ -28,4 +30,4 @@ struct Loop {
 // line and key.
 Loop read_loop(const ConfigNode& node);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 
 #include "common/text/closest_name.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::vector<PassiveJoint> passive_joints_of(const Model& model) {
   return passive;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -21,7 +21,7 @@
 #include "robot/description/mujoco_config.h"
 #include "robot/description/walking_config.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 enum class JointKind { kRevolute, kContinuous, kPrismatic };
 
@@ -212,4 +212,4 @@ struct PassiveJoint {
 // The joints without a motor.
 std::vector<PassiveJoint> passive_joints_of(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -206,4 +206,4 @@ void ModelBuilder::resolve_mimic(Model& model, std::size_t urdf_index) const {
   joint.mimic_offset = offset;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "robot/description/model.h"
 #include "robot/description/urdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class ModelBuilder {
  public:
@@ -43,4 +43,4 @@ class ModelBuilder {
   std::vector<int> model_index_;  // per URDF joint, -1 if fixed
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::int64_t model_hash(const Model& model) {
   return value == 0 ? 1 : value;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

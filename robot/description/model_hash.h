@@ -6,10 +6,10 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Of names, order, axes, limits, inertias, sensors and collision geometry (mesh files by content).
 // 1 <= hash < 2^53.
 std::int64_t model_hash(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -4,7 +4,7 @@
 #include "common/text/strict_yaml.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -92,4 +92,4 @@ std::string mujoco_yaml(const MujocoConfig& config) {
   return "\n# Of the MuJoCo model: its solver, and its contacts with the ground; for engine mujoco and export alone.\nmujoco:\n" + out;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

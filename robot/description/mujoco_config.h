@@ -10,9 +10,12 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
-
+namespace twinbus::inline common {
 class ConfigNode;
+}  // namespace twinbus::common
+
+namespace twinbus::inline robot {
+
 struct Model;
 
 // Of links with the ground, in MuJoCo's words; it is written on their geoms, so obstacles and loose bodies meet it too.
@@ -48,4 +51,4 @@ MujocoConfig read_mujoco_config(const ConfigNode& node);
 // The map as text, with its comment; empty where everything is MuJoCo's default.
 std::string mujoco_yaml(const MujocoConfig& config);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 #include "common/text/xml.h"
 #include "robot/description/urdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string with_plane_joints(const std::string& text, const std::string& file, 
          joint(kPlaneJoints[2], kCarriages[1], roots.front(), base.height, "0 0 1", turn) + text.substr(end);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/guard_defaults.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -271,4 +271,4 @@ std::array<Gripper, 2> read_grippers(const RobotYaml& yaml, const Model& model) 
   return grippers;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

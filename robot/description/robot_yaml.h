@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "robot/description/urdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Servo numbers of one or more joints; NaN where not said.
 struct ServoEntry {
@@ -96,4 +96,4 @@ Walking read_walking(const ConfigNode& node);
 // Of a model whose joints and hands are known: left, right.  Throws std::runtime_error naming file, line and key.
 std::array<Gripper, 2> read_grippers(const RobotYaml& yaml, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

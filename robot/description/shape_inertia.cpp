@@ -6,7 +6,7 @@
 
 #include "robot/description/link_points.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -49,4 +49,4 @@ void take_inertia_from_shape(Link& link) {
           .toDenseMatrix();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // No mass, or a moment that is none: such a link cannot be simulated.
 bool lacks_inertia(const Link& link);
@@ -15,4 +15,4 @@ bool lacks_inertia(const Link& link);
 // geometry.  Without geometry it is a ball of water.
 void take_inertia_from_shape(Link& link);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

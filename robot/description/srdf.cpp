@@ -6,7 +6,7 @@
 #include "common/text/xml.h"
 #include "robot/description/known_names.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -112,4 +112,4 @@ Srdf parse_srdf(const std::string& text, const std::string& file) {
   return srdf;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

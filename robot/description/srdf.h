@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct SrdfPose {
   std::string name;
@@ -47,4 +47,4 @@ struct Srdf {
 // Throws std::runtime_error naming file, line and element.
 Srdf parse_srdf(const std::string& text, const std::string& file);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::vector<Transmission> read_transmissions(const XmlElement& robot, const std:
   return all;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

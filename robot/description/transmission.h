@@ -11,7 +11,7 @@
 
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct Transmission {
   std::string joint;
@@ -26,4 +26,4 @@ struct Transmission {
 // a number is none, or when a joint is moved by two rotors of different numbers.
 std::vector<Transmission> read_transmissions(const XmlElement& robot, const std::string& file);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

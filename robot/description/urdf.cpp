@@ -9,7 +9,7 @@
 
 #include "robot/description/transmission.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -179,4 +179,4 @@ UrdfTree parse_urdf(const std::string& text, const std::string& file, const Asse
   return tree;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

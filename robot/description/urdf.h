@@ -13,7 +13,7 @@
 #include "robot/description/asset_path.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct UrdfLink {
   std::string name;
@@ -70,4 +70,4 @@ UrdfTree parse_urdf(const std::string& text, const std::string& file, const Asse
 // The checks alone, on the XML (urdf_check.cpp).  Throws on the first element that is wrong; notes gets what is ignored.
 void check_urdf(const XmlElement& robot, const std::string& file, std::vector<std::string>& notes);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

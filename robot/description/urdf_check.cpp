@@ -12,7 +12,7 @@
 #include "robot/description/known_names.h"
 #include "robot/description/urdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -408,4 +408,4 @@ void check_urdf(const XmlElement& robot, const std::string& file, std::vector<st
   Checker(file).check(robot, notes);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

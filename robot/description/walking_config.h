@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Of four point feet: diagonal pairs in turn; one foot at a time; that where the speed asked for is within its reach, else a trot.
 enum class PointGait { kTrot, kCrawl, kBySpeed };
@@ -27,4 +27,4 @@ struct Walking {
   bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -3,7 +3,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 double mechanical_energy(const Kinematics& kinematics,
                          const Configuration& configuration) noexcept {
@@ -25,4 +25,4 @@ double mechanical_energy(const Kinematics& kinematics,
   return sum;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

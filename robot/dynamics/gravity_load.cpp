@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 GravityLoad::GravityLoad(const Model& model)
     : model_(&model),
@@ -29,4 +29,4 @@ GravityLoad::Worst GravityLoad::of(const Configuration& posture, const std::vect
   return worst;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

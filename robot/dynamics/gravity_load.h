@@ -9,7 +9,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class GravityLoad {
  public:
@@ -31,4 +31,4 @@ class GravityLoad {
   Eigen::VectorXd zero_, tau_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -3,7 +3,7 @@
 #include "common/math/index.h"
 #include "robot/dynamics/spatial_force.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 InverseDynamics::InverseDynamics(const Model& model) : parts_(model.links.size()) {
   for (std::size_t i = 1; i < parts_.size(); ++i) {
@@ -88,4 +88,4 @@ Eigen::Matrix<double, 6, 1> InverseDynamics::solve(
   return base;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 inline constexpr double kGravity = 9.81;  // [m/s^2], the same everywhere
 
@@ -51,4 +51,4 @@ class InverseDynamics {
   std::vector<Part> parts_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 JointInertia::JointInertia(const Model& model)
     : model_(&model),
@@ -49,4 +49,4 @@ void JointInertia::update(const Kinematics& kinematics, std::span<const int> joi
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

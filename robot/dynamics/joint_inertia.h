@@ -15,7 +15,7 @@
 #include "robot/dynamics/spatial_force.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class JointInertia {
  public:
@@ -86,4 +86,4 @@ class JointInertia {
   std::vector<double> left_;              // H there
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // A motion (angular velocity, velocity of the point at O) or a force (moment about O, force).
 struct Spatial {
@@ -92,4 +92,4 @@ TWINBUS_INLINE RigidInertia rigid_inertia(const Kinematics& k, int link) noexcep
   return moved_inertia(turned_inertia(k, link), com, k.mass_of(link).mass);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

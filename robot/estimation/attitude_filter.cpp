@@ -6,7 +6,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 constexpr double kPull = 1.0;        // k_p [1/s]
@@ -61,4 +61,4 @@ void AttitudeFilter::update(const Eigen::Vector3d& gyro, const Eigen::Vector3d& 
   rotation_ = Eigen::Quaterniond(turned).normalized().toRotationMatrix();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

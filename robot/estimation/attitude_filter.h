@@ -10,7 +10,7 @@
 
 #include <Eigen/Geometry>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class AttitudeFilter {
  public:
@@ -36,4 +36,4 @@ class AttitudeFilter {
   bool started_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

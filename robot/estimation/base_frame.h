@@ -5,7 +5,7 @@
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 inline void set_in_base_frame(const Model& model, const RobotState& state, Configuration& configuration) noexcept {
   set_joints(model, state, configuration);
@@ -14,4 +14,4 @@ inline void set_in_base_frame(const Model& model, const RobotState& state, Confi
   configuration.base_angular_velocity.setZero();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

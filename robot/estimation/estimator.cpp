@@ -11,7 +11,7 @@
 #include "robot/estimation/point_legs.h"
 #include "robot/estimation/sole_contact.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -390,4 +390,4 @@ void Estimator::follow_dcm() noexcept {
   if (std::exchange(resumed_, false)) dcm_velocity_ = spun_velocity_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

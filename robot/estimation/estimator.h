@@ -19,7 +19,7 @@
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/estimation/support_polygon.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class Estimator {
  public:
@@ -140,4 +140,4 @@ class Estimator {
   SupportPolygon support_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

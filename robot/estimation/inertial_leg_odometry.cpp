@@ -10,7 +10,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/base_frame.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -251,4 +251,4 @@ void InertialLegOdometry::report() noexcept {
                                                                  : VelocityFrom::kUnknown;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -24,7 +24,7 @@
 #include "robot/estimation/standing_feet.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class InertialLegOdometry {
  public:
@@ -82,4 +82,4 @@ class InertialLegOdometry {
   bool started_ = false, resumed_ = false, imu_valid_ = false, stood_ = false, lifted_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 constexpr std::size_t kLeastJoints = 3;
@@ -74,4 +74,4 @@ double leg_length(const Model& model, const PointLeg& leg, const StandingFeet& f
   return length;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

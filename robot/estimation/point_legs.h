@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "robot/estimation/standing_feet.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct PointLeg {
   int foot = -1;            // of StandingFeet
@@ -32,4 +32,4 @@ std::optional<PointLegs> point_legs(const Model& model, const StandingFeet& feet
 // How far a leg reaches from the first of its joints that bend it: the sum of what lies between its joints and its point [m].
 double leg_length(const Model& model, const PointLeg& leg, const StandingFeet& feet);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

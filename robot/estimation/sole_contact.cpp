@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Corner i is lift_i higher than the origin.  At height h it is pressed by -(h + lift_i), and the
 // lowest corners touch first: with n of them touching, force = k/4 sum(-(h + lift_i)), so h = -(4
@@ -25,4 +25,4 @@ double sole_height(const Sole& sole, const Eigen::Matrix3d& rotation, double for
   return height;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // rotation: of the sole frame in a frame with z up.  force: total normal force [N].
 // Returns the height of the sole frame's origin above the ground [m] (below zero: pressed in) at
@@ -14,4 +14,4 @@ namespace twinbus {
 // the ground carry nothing.  Without force: the height at which the lowest corner touches.
 double sole_height(const Sole& sole, const Eigen::Matrix3d& rotation, double force) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "robot/description/link_points.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -272,4 +272,4 @@ void StandingFeet::update(const RobotState& state, const Kinematics& kinematics,
   for (Foot& foot : feet_) foot.load = foot.certainty > 0.0 ? 1.0 / static_cast<double>(standing) : 0.0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

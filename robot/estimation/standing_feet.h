@@ -16,7 +16,7 @@
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class StandingFeet {
  public:
@@ -84,4 +84,4 @@ class StandingFeet {
   LoadFrom from_ = LoadFrom::kUnknown;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

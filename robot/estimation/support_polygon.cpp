@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -73,4 +73,4 @@ Eigen::Vector2d SupportPolygon::centre() const noexcept {
   return count_ > 0 ? corner(0) : Eigen::Vector2d::Zero();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class SupportPolygon {
  public:
@@ -36,4 +36,4 @@ class SupportPolygon {
   int count_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 #include "common/math/pose_math.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -49,4 +49,4 @@ Eigen::Isometry3d tool_in_hand(const Model& model, const Hand& hand, const std::
   return link_in_hand(model, hand, text, "no tool is called so");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,10 +10,10 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Where the tool is in the frame of a hand.  text: "X,Y,Z" or "X,Y,Z,R,P,Y" [m, rad], a name under `tools:` of robot.yaml, or a
 // link of the URDF that the hand carries.  Throws std::runtime_error with one sentence when it is none of these.
 Eigen::Isometry3d tool_in_hand(const Model& model, const Hand& hand, const std::string& text);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

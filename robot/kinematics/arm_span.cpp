@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 constexpr double kRolls = 0.3;  // cosine: nearer to upright on what points away, the last joint's axis bends the wrist
@@ -43,4 +43,4 @@ bool turns_in_place(const Kinematics& k, const Hand& hand) noexcept {
   return std::abs(k.axis_in_world(hand.joints.front()).z()) > kUpright;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

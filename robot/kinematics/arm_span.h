@@ -6,7 +6,7 @@
 
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct ArmSpan {
   Eigen::Vector3d shoulder;  // where the first joint is that turns, behind lifts and rails, world [m]
@@ -23,4 +23,4 @@ Eigen::Matrix3d pointing(const Kinematics& k, const Hand& hand) noexcept;
 // Is the arm's first joint upright?  Its first link then turns in place, as a turntable on the ground does.
 bool turns_in_place(const Kinematics& k, const Hand& hand) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 inline constexpr double kBrakeTime = 0.1;  // from full speed to rest [s]
 inline constexpr double kSlowestFull =
@@ -67,4 +67,4 @@ inline void brake_step(double deceleration, double dt, double& q, float& v) noex
   v = static_cast<float>(speed);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -204,4 +204,4 @@ void ClosedForm::solve(const Eigen::Isometry3d& target, const Angles& start, con
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

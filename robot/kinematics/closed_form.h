@@ -18,7 +18,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class ClosedForm {
  public:
@@ -68,4 +68,4 @@ class ClosedForm {
   bool reversed_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -277,4 +277,4 @@ IkResult InverseKinematics::solve(const Eigen::Isometry3d& target, const IkOptio
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

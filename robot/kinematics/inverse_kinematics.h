@@ -15,7 +15,7 @@
 #include "robot/kinematics/closed_form.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct IkOptions {
   int iterations = 60;
@@ -85,4 +85,4 @@ class InverseKinematics {
   Eigen::VectorXd trial_, now_, best_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 constexpr double kRounding = 1e-6;  // of a sine
@@ -102,4 +102,4 @@ double JointReach::along(const Eigen::Vector3d& n, const Kinematics& kinematics,
   return sum;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

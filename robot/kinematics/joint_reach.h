@@ -18,7 +18,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class JointReach {
  public:
@@ -60,4 +60,4 @@ class JointReach {
   std::vector<Sums> sums_;  // [link_count]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

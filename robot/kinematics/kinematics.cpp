@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 Configuration::Configuration(const Model& model)
     : q(Eigen::VectorXd::Zero(model.joint_count())),
@@ -282,4 +282,4 @@ void Kinematics::com_jacobian(Eigen::MatrixXd& jacobian) const noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Configuration of the whole robot, in model joint order (mimic joints included).
 struct Configuration {
@@ -124,4 +124,4 @@ class Kinematics {
   double mass_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

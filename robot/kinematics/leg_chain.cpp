@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -30,4 +30,4 @@ LegChain leg_chain(const Model& model, int foot) noexcept {
   return chain.count > 0 && other.count > 0 && chain.joint[0] == other.joint[0] ? LegChain{} : chain;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

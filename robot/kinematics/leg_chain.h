@@ -6,7 +6,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct LegChain {
   std::array<int, 7> joint{};  // base first
@@ -24,4 +24,4 @@ LegChain leg_chain(const Model& model, int foot) noexcept;
 // For who throws: what is wrong with a leg that does not balance.
 inline constexpr const char* kNoLegs = "a sole does not hang on the base by five to seven joints of its own";
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

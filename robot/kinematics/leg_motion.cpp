@@ -8,7 +8,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 constexpr double kBent = 0.3;  // of every joint where no pose is known: no leg is straight then [rad]
@@ -89,4 +89,4 @@ Eigen::Vector3d LegMotion::held(const Eigen::Vector3d& turn) const noexcept {
   return turn - free_in_world_ * free_in_world_.dot(turn);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -13,7 +13,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/kinematics/leg_chain.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // The axis of its frame, 0 forward, 1 left, 2 up, about which a leg of five joints turns its sole least; -1 of other legs.
 int free_axis(const Model& model, int foot);
@@ -59,4 +59,4 @@ class LegMotion {
   Matrix6 jacobian_ = Matrix6::Identity();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

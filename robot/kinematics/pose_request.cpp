@@ -8,7 +8,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 std::string add_joint(const Model& model, const std::string& name, double q, ModeRequest& pose) {
   std::vector<std::string> names;
@@ -24,4 +24,4 @@ std::string add_joint(const Model& model, const std::string& name, double q, Mod
   return {};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 #include "geometry/bounds/convex_hull.h"
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -202,4 +202,4 @@ MjcfInertia body_inertia(const MjcfBody& body, const MjcfModel& model) {
   return inertia;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Of a geom in its body; nothing for planes and height fields.  Throws at the geom: a mesh that cannot be read, a kind whose
 // inertia is not known here.
@@ -19,4 +19,4 @@ MjcfInertia sum_of(const MjcfInertia& a, const MjcfInertia& b);
 // Of a body as the compiler's settings say: its <inertial>, or its geoms.
 MjcfInertia body_inertia(const MjcfBody& body, const MjcfModel& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

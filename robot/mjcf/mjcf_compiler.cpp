@@ -4,7 +4,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -106,4 +106,4 @@ Eigen::Isometry3d read_place(const MjcfElement& element, const MjcfCompiler& com
   return place;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

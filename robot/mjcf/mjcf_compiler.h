@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_element.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 enum class InertiaFromGeom { kNever, kAlways, kIfMissing };
 
@@ -38,4 +38,4 @@ Eigen::Isometry3d read_place(const MjcfElement& element, const MjcfCompiler& com
 // With z along a direction, by the shortest rotation.
 Eigen::Matrix3d rotation_of_z(const Eigen::Vector3d& direction);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

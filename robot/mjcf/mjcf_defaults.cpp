@@ -4,7 +4,7 @@
 
 #include "common/text/closest_name.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -80,4 +80,4 @@ void MjcfDefaults::check_childclass(const MjcfElement& element) const {
   if (element.has("childclass")) (void)find(element, "childclass", element.text("childclass"));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_element.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class MjcfDefaults {
  public:
@@ -34,4 +34,4 @@ class MjcfDefaults {
 // Whether an element is an actuator: all kinds share their defaults.
 bool is_actuator_element(const std::string& name);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

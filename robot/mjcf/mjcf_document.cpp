@@ -7,7 +7,7 @@
 #include "common/text/xml.h"
 #include "robot/mjcf/mjcf_names.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -126,4 +126,4 @@ MjcfDocument read_mjcf_text(const std::string& text, const std::string& file) { 
 
 MjcfDocument read_mjcf(const std::string& file) { return read_mjcf_text(read_text_file(file), file); }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

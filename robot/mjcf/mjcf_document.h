@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_element.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct MjcfDocument {
   MjcfElement root;                // <mujoco>
@@ -25,4 +25,4 @@ MjcfDocument read_mjcf(const std::string& file);
 // The same of a text that is no file; includes are looked for in the folder of `file`.
 MjcfDocument read_mjcf_text(const std::string& text, const std::string& file);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 #include "common/text/formatted.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -111,4 +111,4 @@ void MjcfElement::fail(const std::string& key, const std::string& what) const {
   fail_at(*where.file, where.line, title() + ": " + key + " " + what);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct MjcfPlace {
   std::shared_ptr<const std::string> file;
@@ -54,4 +54,4 @@ struct MjcfElement {
 inline constexpr double kMjcfFarthest = 1e3;  // of a position [m]
 inline constexpr double kMjcfLargest = 1e15;  // of anything else, in SI units
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

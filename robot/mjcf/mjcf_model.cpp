@@ -12,7 +12,7 @@
 #include "robot/mjcf/mjcf_parts.h"
 #include "robot/mjcf/mjcf_surface.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -330,4 +330,4 @@ MjcfModel read_mjcf_model(const std::string& file) {
   return Reader(document).read();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -14,7 +14,7 @@
 #include "robot/mjcf/mjcf_element.h"
 #include "robot/description/mujoco_config.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 enum class MjcfJointKind { kHinge, kSlide, kBall, kFree };
 
@@ -132,4 +132,4 @@ struct MjcfModel {
 MjcfModel read_mjcf_model(const std::string& file);
 MjcfModel read_mjcf_model_text(const std::string& text, const std::string& file);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

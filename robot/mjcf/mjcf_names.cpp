@@ -4,7 +4,7 @@
 
 #include "robot/description/known_names.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -122,4 +122,4 @@ void check_mjcf_names(const XmlElement& element, const std::string& context, con
   check_names(element, known, file, notes);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

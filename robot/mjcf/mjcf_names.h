@@ -10,7 +10,7 @@
 
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // What the children of an element are checked as: "mujoco", "body", "equality/joint" ...; empty: not looked into.
 std::string mjcf_context(const std::string& parent, const std::string& element);
@@ -20,4 +20,4 @@ std::string mjcf_context(const std::string& parent, const std::string& element);
 void check_mjcf_names(const XmlElement& element, const std::string& context, const std::string& file,
                       std::vector<std::string>& notes);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_surface.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -272,4 +272,4 @@ bool read_mjcf_actuator(const MjcfElement& element, const MjcfCompiler& compiler
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

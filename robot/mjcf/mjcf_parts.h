@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // frame: that of <frame> elements around it, in the body.
 MjcfJoint read_mjcf_joint(const MjcfElement& element, const MjcfCompiler& compiler, const Eigen::Isometry3d& frame,
@@ -27,4 +27,4 @@ bool read_mjcf_limit(const MjcfElement& element, const std::string& limited, con
 bool read_mjcf_actuator(const MjcfElement& element, const MjcfCompiler& compiler, MjcfActuator& actuator,
                         std::vector<std::string>& notes);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -88,4 +88,4 @@ MjcfSelection select_robot(const MjcfModel& model, const std::string& file, std:
   return selection;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 
 #include "robot/mjcf/mjcf_model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct MjcfSelection {
   std::vector<int> bodies;  // parents first
@@ -17,4 +17,4 @@ struct MjcfSelection {
 // Throws, naming line and reason, when there is none, more than one, or one with a ball joint.  notes gets what is scenery.
 MjcfSelection select_robot(const MjcfModel& model, const std::string& file, std::vector<std::string>& notes);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -75,4 +75,4 @@ MjcfSurface read_mjcf_pair(const MjcfElement& element) {
   return surface;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -4,7 +4,7 @@
 
 #include "robot/mjcf/mjcf_model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Of a geom, its defaults applied.
 MjcfSurface read_mjcf_surface(const MjcfElement& element);
@@ -15,4 +15,4 @@ MjcfSurface touching(const MjcfSurface& a, const MjcfSurface& b);
 // Of a <pair>, its defaults applied; what it does not say is MuJoCo's default, whatever its geoms say.
 MjcfSurface read_mjcf_pair(const MjcfElement& element);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -15,7 +15,7 @@
 #include "robot/mjcf/urdf_shapes.h"
 #include "robot/mjcf/urdf_text.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -346,4 +346,4 @@ MjcfRobot robot_of_mjcf(const MjcfModel& model, const std::string& file) { retur
 
 MjcfRobot import_mjcf(const std::string& file) { return robot_of_mjcf(read_mjcf_model(file), file); }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 
 #include "robot/mjcf/mjcf_model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct MjcfServo {
   std::string joint;
@@ -39,4 +39,4 @@ inline constexpr double kMjcfSlideVelocity = 5.0;  // [m/s]
 inline constexpr double kMjcfEffort = 1000.0;     // where the model has no limit [N m or N]
 inline constexpr double kMjcfTravel = 100.0;      // of slides without limits [m]
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -13,7 +13,7 @@
 #include "robot/description/mujoco_config.h"
 #include "robot/mjcf/urdf_text.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -329,4 +329,4 @@ std::string obj_of_hull(const Shape& mesh) {
   return hull.triangles.empty() ? obj_of(mesh) : obj_text(hull);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "geometry/shapes.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Meshes that a written model names: the name of the file without ending, and what to write there.
 class ExportedMeshes {
@@ -73,4 +73,4 @@ std::string obj_of(const Shape& mesh);
 // The triangles of its convex hull; of the mesh where it has none.
 std::string obj_of_hull(const Shape& mesh);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "robot/mjcf/urdf_text.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -148,4 +148,4 @@ void append_urdf_shapes(const MjcfGeom& geom, const MjcfModel& model, const Eige
   ShapeWriter(geom, model, in_link, urdf, notes).write();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

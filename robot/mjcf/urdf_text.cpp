@@ -5,7 +5,7 @@
 #include "common/math/pose_math.h"
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 std::string exact_number(double value) {
   std::string text;
@@ -25,4 +25,4 @@ std::string urdf_origin(const Eigen::Isometry3d& place) {
          exact_numbers(rpy_from_rotation(place.linear())) + "\"/>";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

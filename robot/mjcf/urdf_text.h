@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // All digits, so that reading gives the same number.
 std::string exact_number(double value);
@@ -13,4 +13,4 @@ std::string exact_numbers(const Eigen::Vector3d& v);
 // <origin xyz= rpy=/>
 std::string urdf_origin(const Eigen::Isometry3d& place);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -13,7 +13,7 @@
 #include "robot/kinematics/leg_chain.h"
 #include "robot/motion/motion_spline.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -294,4 +294,4 @@ std::vector<MotionPiece> MotionClip::pieces(std::int64_t motion_id) const {
   return pieces;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

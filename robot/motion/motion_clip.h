@@ -16,7 +16,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/motion/motion_file.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Of one instant.
 struct MotionPoint {
@@ -89,4 +89,4 @@ class MotionClip {
   std::vector<Eigen::Isometry3d> root_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

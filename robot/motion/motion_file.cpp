@@ -14,7 +14,7 @@
 #include "common/math/index.h"
 #include "common/text/printable.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -272,4 +272,4 @@ MotionFile read_motion(const std::string& file, const MotionFormat& format) {
   return parse_motion_csv(file, bytes, format);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct MotionFile {
   std::string file;
@@ -53,4 +53,4 @@ std::vector<std::string> motion_columns(const std::string& name_or_file);
 // Checks times, takes the part from..until, makes quaternions unit.  Called by the two above.
 void finish_motion(MotionFile& motion, const MotionFormat& format);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include "robot/motion/motion_file.h"
 #include "robot/motion/npz.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -165,4 +165,4 @@ MotionFile parse_motion_npz(const std::string& file, const std::string& bytes,
   return motion;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct SplinePlace {
   std::array<int, 4> frame{};  // control points
@@ -59,4 +59,4 @@ inline void spline_frames(std::vector<double>& x) {
   for (std::size_t k = n - 2; k > 0; --k) x[k] -= upper[k] * x[k + 1];
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 
 #include "common/text/printable.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -234,4 +234,4 @@ std::vector<NpyArray> read_npz(const std::string& file, std::string_view bytes) 
   return arrays;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // One array, row-major whatever order the file has.  Numbers of any kind become double; text becomes strings.
 struct NpyArray {
@@ -25,4 +25,4 @@ struct NpyArray {
 // type that is not known, or more than 1 GB unpacked.
 std::vector<NpyArray> read_npz(const std::string& file, std::string_view bytes);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

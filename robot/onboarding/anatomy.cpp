@@ -11,7 +11,7 @@
 #include "robot/description/link_points.h"
 #include "robot/onboarding/line_feet.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -497,4 +497,4 @@ std::vector<std::string> joints_above_legs(const Model& model) {
   return names;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

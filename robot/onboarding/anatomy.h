@@ -15,7 +15,7 @@
 #include "robot/description/model.h"
 #include "robot/description/srdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct Anatomy {
   std::array<Sole, 2> soles;  // left, right: link, frame and edges; link -1 when not found
@@ -58,4 +58,4 @@ double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd
 // joint's effort to be held, or that are boxed in by the robot itself, by the smallest turn of one of its joints, or of two by the same angle, that mends it.  What was turned, in words; empty when nothing was.
 std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

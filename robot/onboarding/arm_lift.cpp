@@ -19,7 +19,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorX
   return said;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

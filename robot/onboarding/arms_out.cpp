@@ -11,7 +11,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -119,4 +119,4 @@ double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd
   return turned;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -17,7 +17,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::string without_floating_root(const std::string& urdf_text, const std::strin
   return text;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // From the base of the file to one that is upright and looks along x.  The identity unless legs of five
 // joints or more are found, named left and right as they lie, only with the base turned.
@@ -33,4 +33,4 @@ std::string with_root_above(const std::string& urdf_text, const std::string& roo
 // robot.yaml says with `base: floating`: the text without both, and their names in `left_out`; else the text as it is.
 std::string without_floating_root(const std::string& urdf_text, const std::string& file, std::string& left_out);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "robot/description/urdf.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string planar_yaml(const Model& model, const Anatomy& anatomy) {
                    base.area, base.speed, base.turn_speed, std::max(0.0, kAboveGround - low));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

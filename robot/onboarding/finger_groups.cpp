@@ -12,7 +12,7 @@
 #include "robot/description/urdf.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -207,4 +207,4 @@ std::optional<FingerServo> finger_servo(const FingerGroups& groups, const Model&
   return servo;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "robot/onboarding/anatomy.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct FingerGroup {
   std::vector<int> joints;           // of the model; none: the hand has no such fingers
@@ -40,4 +40,4 @@ struct FingerServo {
 };
 std::optional<FingerServo> finger_servo(const FingerGroups& groups, const Model& model, int joint);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::string why_it_falls(const Model& model, const Eigen::VectorXd& q) {
   return "";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include "robot/description/model.h"
 #include "robot/description/srdf.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct KnownSrdf {
   std::vector<NamedPose> poses;  // joints that are not named are as in the neutral posture
@@ -28,4 +28,4 @@ KnownSrdf fit_srdf(const Model& model, const std::string& text, const std::strin
 // mass well above them.  Empty, or why not.
 std::string why_it_falls(const Model& model, const Eigen::VectorXd& q);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::optional<Eigen::AlignedBox2d> line_on_ground(const Link& link, const Eigen:
   return box;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Whether a sole is such a line, along or across the foot.
 bool is_line(const Sole& sole) noexcept;
@@ -21,4 +21,4 @@ bool is_line(const Sole& sole) noexcept;
 std::optional<Eigen::AlignedBox2d> line_on_ground(const Link& link, const Eigen::Isometry3d& pose,
                                                   const std::vector<Eigen::Vector3d>& points, double ground);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -16,7 +16,7 @@
 #include "robot/onboarding/mirrored_ranges.h"
 #include "robot/description/link_points.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -471,4 +471,4 @@ std::string mend_far_inertias(const std::string& text, const std::string& file, 
   return changes.size() == before ? text : written(robot);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

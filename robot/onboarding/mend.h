@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // A mesh that is touched so far from where it is drawn is one in a wrong place [m].
 inline constexpr double kFarFromDrawn = 0.3;
@@ -40,4 +40,4 @@ double shell_radius(const Link& link);
 // What the same part is called on the other side, as far as names tell; several guesses or none.
 std::vector<std::string> names_on_other_side(const std::string& name);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "common/text/xml.h"
 #include "robot/description/link_points.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::string with_turned_meshes(const std::string& urdf_text, const std::vector<s
   return out + urdf_text.substr(std::min(from, urdf_text.size()));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

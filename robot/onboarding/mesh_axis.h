@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Files of the meshes that say Y_UP, if the links' centres of mass lie within these meshes clearly better once they are turned
 // about x by 90 degrees; empty otherwise.
@@ -17,4 +17,4 @@ std::vector<std::string> meshes_to_turn(const Model& model);
 // The URDF with that turn in the <origin> of every <visual> and <collision> of these files.
 std::string with_turned_meshes(const std::string& urdf_text, const std::vector<std::string>& files);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/rest_pairs.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<UnmirroredRange> unmirrored_ranges(const Model& model, const std::ve
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

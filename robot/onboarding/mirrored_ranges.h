@@ -10,7 +10,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct UnmirroredRange {
   int kept = 0;    // joint whose range allows more of what legs need: hips forward and outward, knees back, shanks forward
@@ -23,4 +23,4 @@ struct UnmirroredRange {
 // of one of them pointed the other way.  legs: joints of both legs, empty if unknown.
 std::vector<UnmirroredRange> unmirrored_ranges(const Model& model, const std::vector<int>& legs);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -17,7 +17,7 @@
 #include "robot/description/link_points.h"
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -314,4 +314,4 @@ int open_edges(const std::string& mesh_file) {
   return open;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

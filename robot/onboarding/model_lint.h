@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct Suspicion {
   std::string about;   // "link X", "joint Y", "robot.yaml"
@@ -26,4 +26,4 @@ std::vector<Suspicion> find_missing(const Model& model);
 // of the mesh's size are one.
 int open_edges(const std::string& mesh_file);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 #include "robot/description/link_points.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::string passive_yaml(const Model& model, const std::vector<int>& toes) {
   return out;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Joints on the links of the soles, or on what hangs on them, whose limit of effort is 0.
 std::vector<int> passive_toes(const Model& model);
@@ -20,4 +20,4 @@ std::string passive_yaml(const Model& model, const std::vector<int>& toes);
 inline constexpr const char* kPassiveToes =
     ": the simulator turns them by the springs under passive_joints of robot.yaml, which are guessed from the weight: measure them";
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -10,7 +10,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/line_feet.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -215,4 +215,4 @@ bool bends_in_many_ways(const PointLegs& legs) noexcept {
   return std::any_of(legs.begin(), legs.end(), [](const PointLeg& leg) { return leg.joints.size() > 3; });
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

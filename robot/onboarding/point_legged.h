@@ -8,7 +8,7 @@
 #include "robot/estimation/point_legs.h"
 #include "robot/onboarding/anatomy.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // If the robot has four legs, or two whose soles are hardly a surface and that cannot turn them: takes soles out of the anatomy, for
 // its feet are points, and puts the joints of all legs into it; doubts about a humanoid that it is not are replaced.  Empty: it
@@ -28,4 +28,4 @@ bool stands_on_point_legs(const Model& model, const PointLegs& legs, const Eigen
 // Legs of more than three joints may bend in many ways, few of which are meant.
 bool bends_in_many_ways(const PointLegs& legs) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

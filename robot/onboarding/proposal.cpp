@@ -20,7 +20,7 @@
 #include "robot/onboarding/rest_pairs.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -494,4 +494,4 @@ void exempt_at_rest(const Model& loaded, Proposal& proposal) {
                             " more pairs touch once fingers are part of the hands, and are exempt too");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

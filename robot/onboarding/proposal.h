@@ -11,7 +11,7 @@
 #include "robot/description/load.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct Proposal {
   std::string yaml, srdf;
@@ -76,4 +76,4 @@ std::string with_packages(const std::string& urdf_text, const std::string& urdf_
 // folder of that name, or one that has it.
 std::vector<std::pair<std::string, std::string>> find_packages(const std::string& urdf_file);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

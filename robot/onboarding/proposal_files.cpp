@@ -7,7 +7,7 @@
 #include "robot/onboarding/proposal.h"
 #include "common/text/xml.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -186,4 +186,4 @@ std::string with_packages(const std::string& urdf_text, const std::string& urdf_
   return out + urdf_text.substr(from);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

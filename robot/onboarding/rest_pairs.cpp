@@ -14,7 +14,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::vector<NearByDesign> pairs_near_by_design(const Model& model, const std::ve
   return pairs;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct RestPair {
   int link_a = 0, link_b = 0;
@@ -36,4 +36,4 @@ std::vector<NearByDesign> pairs_near_by_design(const Model& model, const std::ve
 // The link on the other side, in the posture nearest to zero; -1: there is none [link_count].
 std::vector<int> mirror_images(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,7 +11,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -123,4 +123,4 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "common/text/name_of.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -141,4 +141,4 @@ PlanRefusal PlanAssembler::add(const StopPlanPiece& piece, const PlanContext& co
   return PlanRefusal::kNone;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -11,6 +11,10 @@
 #include "robot/stop_plan/stop_plan.h"
 
 namespace twinbus {
+struct ProtocolProbe;
+}  // namespace twinbus
+
+namespace twinbus::inline robot {
 
 enum class PlanRefusal : std::int8_t {
   kNone = 0,
@@ -68,7 +72,7 @@ class PlanAssembler {
   }
 
  private:
-  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
+  friend struct twinbus::ProtocolProbe;  // test/protocol looks inside to tell states apart
   PlanRefusal judge_head(const StopPlanHead& head, const PlanContext& context) const noexcept;
   PlanRefusal judge_whole(const StopPlan& plan) const noexcept;
   PlanRefusal judge_now(const StopPlan& plan, const PlanContext& context) const noexcept;
@@ -83,4 +87,4 @@ class PlanAssembler {
   std::int32_t whole_number_ = -1;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

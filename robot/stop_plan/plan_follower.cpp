@@ -7,7 +7,7 @@
 #include "common/math/pose_math.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 constexpr double kRamp = 0.05;     // in which the law comes in [s]
@@ -211,4 +211,4 @@ void PlanFollower::balance(const StopPlan& plan, std::int64_t tick, const Estima
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -20,7 +20,7 @@
 #include "robot/stop_plan/sole_share.h"
 #include "robot/stop_plan/stop_plan.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class PlanFollower {
  public:
@@ -70,4 +70,4 @@ class PlanFollower {
   Eigen::Vector2d integral_ = Eigen::Vector2d::Zero();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

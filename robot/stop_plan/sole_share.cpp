@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 SoleShare share_on_soles(const std::array<SolePlace, 2>& soles, const std::array<Eigen::Vector2d, 2>& on,
                          const SoleArea& area, int carries, const Eigen::Vector2d& zmp) noexcept {
@@ -22,4 +22,4 @@ SoleShare share_on_soles(const std::array<SolePlace, 2>& soles, const std::array
   return share;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

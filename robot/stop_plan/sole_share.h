@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct SolePlace {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame [m]
@@ -39,4 +39,4 @@ struct SoleShare {
 SoleShare share_on_soles(const std::array<SolePlace, 2>& soles, const std::array<Eigen::Vector2d, 2>& on,
                          const SoleArea& area, int carries, const Eigen::Vector2d& zmp) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

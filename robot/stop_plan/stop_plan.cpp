@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -130,4 +130,4 @@ PlanBalance balance_at(const StopPlan& plan, std::int64_t tick) noexcept {
   return out;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

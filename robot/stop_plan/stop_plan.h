@@ -10,7 +10,7 @@
 
 #include "lcmtypes/msg/stop_plan.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct StopPlan {
   StopPlanHead head;
@@ -52,4 +52,4 @@ PlanBalance balance_at(const StopPlan& plan, std::int64_t tick) noexcept;
 // Rounds to the units of a plan; false when a number does not fit.
 bool to_plan(double value, double unit, std::int16_t& out) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -8,7 +8,7 @@
 #include "sim/articulated/articulated_kernels.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // One call for both widths.
 #define TWINBUS_SWEEP(name, ...)                                  \
@@ -196,4 +196,4 @@ void ArticulatedBody::advance(double h, Configuration& to) const noexcept {
   to.base_angular_velocity = w;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -21,7 +21,7 @@
 #include "sim/articulated/articulated_lanes.h"
 #include "sim/articulated/spatial.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Torque of everything that acts in one joint, as a line in its speed at the end of the step.
 struct JointRow {
@@ -160,4 +160,4 @@ class ArticulatedBody {
   LinkNumbers links_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "sim/articulated/articulated_kernels.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -121,4 +121,4 @@ double FourPostures::improve(const Accelerations& guess, Accelerations& to) noex
   return std::sqrt(TWINBUS_KERNEL(improve(body_, guess.data(), to.data())) / kCount);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 #include "common/simd/vec4.h"
 #include "sim/articulated/rigid_links.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class FourPostures {
  public:
@@ -65,4 +65,4 @@ class FourPostures {
   RigidBody<Vec4> body_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

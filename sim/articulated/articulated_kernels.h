@@ -13,7 +13,7 @@
 #include "sim/articulated/aba.h"
 #include "sim/articulated/rigid_links.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 #define TWINBUS_KERNEL_FILE "sim/articulated/articulated_parts.h"
 #include "common/simd/fused_kernels.h"
@@ -25,4 +25,4 @@ namespace twinbus {
 #define TWINBUS_KERNEL(call) (baseline::call)
 #endif
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

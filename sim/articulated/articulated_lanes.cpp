@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -197,4 +197,4 @@ void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale, LinkNumber
 template void fill(BodyLanes<Vec4>&, const Model&, double, LinkNumbers&);
 template void fill(BodyLanes<double>&, const Model&, double, LinkNumbers&);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 // The alignment that Vec4 names is lost in a template argument; what needs it says so again.
 #pragma GCC diagnostic ignored "-Wignored-attributes"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Copied number by number: g++ copies a whole struct of vectors in pieces of 16 bytes, some by way
 // of integers, and what is stored in pieces is slow to read as one vector again.
@@ -185,4 +185,4 @@ void find_sines(const std::vector<double>& angle, std::vector<double>& sine,
 template <class L>
 void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale, LinkNumbers& to_links);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -188,4 +188,4 @@ bool FlightMotion::step(ArticulatedBody& body, const std::vector<JointLaw>& join
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -22,7 +22,7 @@
 #include "sim/articulated/joint_law.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class FlightMotion {
  public:
@@ -65,4 +65,4 @@ class FlightMotion {
   std::optional<GaussFlight> gauss_;  // for kGauss8
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -315,4 +315,4 @@ bool GaussFlight::step(ArticulatedBody& body, const std::vector<JointLaw>& joint
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

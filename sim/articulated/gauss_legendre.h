@@ -25,7 +25,7 @@
 #include "sim/articulated/aba4.h"
 #include "sim/articulated/joint_law.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class GaussFlight {
  public:
@@ -79,4 +79,4 @@ class GaussFlight {
   Start start_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 
 #include "sim/world/coulomb_friction.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 JointLaw::JointLaw(const Joint& joint, const WorldConfig& config)
     : lower_(-std::numeric_limits<double>::infinity()),
@@ -55,4 +55,4 @@ double JointLaw::flank() const noexcept {
   return 0.5 * backlash_ * std::clamp(tau_ / kPlayTorque, -1.0, 1.0);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -20,7 +20,7 @@
 #include "sim/articulated/aba.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // So stiff that a stop is passed by less than 1e-9 rad at any torque a robot has.
 inline constexpr double kStopGain = 1e11;  // [N m s/rad]
@@ -187,4 +187,4 @@ bool gentle(const std::vector<JointLaw>& joints, double h, double limit,
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -46,4 +46,4 @@ double extrapolate(int order, std::array<Configuration, 2>& coarse, Configuratio
   return fastest_change(y, coarse[1]) / 3.0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

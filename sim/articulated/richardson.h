@@ -11,7 +11,7 @@
 
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Order 3 makes an oscillation that nothing damps grow, by up to 0.16 % a step where it turns by less than
 // 0.8 rad in one (so do all sequences of parts); order 2 does not.  What lies still takes order 2
@@ -23,4 +23,4 @@ void extrapolate_at_rest(const std::array<Configuration, 2>& coarse, Configurati
 // halves is off.
 double extrapolate(int order, std::array<Configuration, 2>& coarse, Configuration& y) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -11,7 +11,7 @@
 
 #include "sim/articulated/articulated_lanes.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // The same in all lanes.
 struct RigidLink {
@@ -56,4 +56,4 @@ struct RigidBody {
   std::vector<double> known_angle, known_sine, known_cosine;  // as weighed
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

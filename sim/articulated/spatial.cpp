@@ -4,7 +4,7 @@
 
 #include "common/simd/instruction_set.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -31,4 +31,4 @@ void lower_simd(Simd most) noexcept {
   chosen = most < best ? most : best;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

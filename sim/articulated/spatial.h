@@ -15,7 +15,7 @@
 
 #define TWINBUS_INLINE inline __attribute__((always_inline))
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 enum class Simd { kBaseline, kAvx2, kAvx512 };
 
@@ -41,4 +41,4 @@ inline Eigen::Vector3d at_point(const Screw& s, const Eigen::Vector3d& r) {
   return linear(s) + angular(s).cross(r);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

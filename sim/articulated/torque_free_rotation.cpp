@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -40,4 +40,4 @@ void turn_freely(const Eigen::Vector3d& inertia, double h, Eigen::Matrix3d& rota
   spin = rotation * (rotation.transpose() * in_world).cwiseQuotient(inertia);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

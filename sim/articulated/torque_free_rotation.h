@@ -10,10 +10,10 @@
 
 #include <Eigen/Core>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // rotation: body in world; spin: in world [rad/s]; inertia: principal, along the body's axes.
 void turn_freely(const Eigen::Vector3d& inertia, double h, Eigen::Matrix3d& rotation,
                  Eigen::Vector3d& spin) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "common/simd/vec4.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 BandSolve::BandSolve(std::size_t most_rows, std::size_t most_entries)
     : entries_(std::make_unique_for_overwrite<double[]>(most_entries)),
@@ -86,4 +86,4 @@ void BandSolve::solve(double* right) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

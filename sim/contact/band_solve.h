@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class BandSolve {
  public:
@@ -45,4 +45,4 @@ class BandSolve {
   int n_ = 0, reach_ = 0, width_ = 1, words_ = 1;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 
 #include "sim/contact/contact_solve.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // A point may come so much nearer in a step beyond what its speed says.
 inline constexpr double kMostAcceleration = 40.0;  // [m/s^2]
@@ -54,4 +54,4 @@ inline double stored_energy(const Contact& c, double h) noexcept {
          (turns(c) ? 0.5 * turning_stiffness(c.params) * turned_after(c.params, c.turned, c.moment, h).squaredNorm() : 0.0);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

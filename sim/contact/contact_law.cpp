@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -141,4 +141,4 @@ void tie_force(const ContactParams& p, const Eigen::Vector3d* along, const Eigen
                                  : Eigen::Matrix3d(beta * Eigen::Matrix3d::Identity());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

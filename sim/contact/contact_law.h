@@ -27,7 +27,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr double kDampingRamp = 1e-4;  // depth at which linear damping is complete [m]
 inline constexpr double kEndlessRamp = 1.0;   // deeper than anything sinks in [m]
@@ -98,4 +98,4 @@ void tie_force(const ContactParams& params, const Eigen::Vector3d* along,
                const Eigen::Vector3d& stretch, const Eigen::Vector3d& v, double h,
                bool with_tangent, ContactForce& out) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

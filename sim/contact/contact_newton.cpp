@@ -9,7 +9,7 @@
 #include "common/simd/vec4.h"
 #include "sim/contact/contact_solve.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -417,4 +417,4 @@ void ContactSolve::find_kinks(const Contacts& contacts, double h) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

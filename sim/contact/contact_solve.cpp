@@ -7,7 +7,7 @@
 
 #include "common/time/part_clock.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -421,4 +421,4 @@ void ContactSolve::guess(const Contacts& contacts) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

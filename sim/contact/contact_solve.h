@@ -24,7 +24,7 @@
 #include "sim/contact/band_solve.h"
 #include "sim/contact/contact_law.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 enum class TieKind { kNone, kPoint, kLength };  // kLength: only along the normal
 
@@ -200,4 +200,4 @@ class ContactSolve {
   SolveCounters counters_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -9,7 +9,7 @@
 #include "sim/world/felt_feet.h"
 #include "sim/world/link_hull.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -416,4 +416,4 @@ double GroundContacts::corner_offset(int sole, int corner) const noexcept {
   return offset_[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)];
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

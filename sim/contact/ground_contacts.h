@@ -25,7 +25,7 @@
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr int kMostContacts = 128;
 
@@ -151,4 +151,4 @@ class GroundContacts {
   double reach_ = 0.0;  // no shape is further from link 0's origin [m]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

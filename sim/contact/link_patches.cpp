@@ -9,7 +9,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/world/link_hull.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -140,4 +140,4 @@ bool LinkPatches::find(int which, const Eigen::Isometry3d& link, const Eigen::Ve
   return false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

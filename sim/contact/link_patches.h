@@ -17,7 +17,7 @@
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct LinkPoint {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // at the start of the step, world [m]
@@ -64,4 +64,4 @@ class LinkPatches {
   mutable PatchFinder finder_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

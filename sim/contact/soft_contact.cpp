@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -126,4 +126,4 @@ double SoftContact::damping(int link, double friction, double force) const noexc
   return of.rate / of.normal;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

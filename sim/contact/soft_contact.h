@@ -18,7 +18,7 @@
 #include "sim/articulated/joint_law.h"
 #include "sim/contact/contact_solve.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class SoftContact {
  public:
@@ -54,4 +54,4 @@ class SoftContact {
   double step_, time_constant_;         // [s]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

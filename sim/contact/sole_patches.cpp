@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "sim/world/link_hull.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -290,4 +290,4 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
   return count;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

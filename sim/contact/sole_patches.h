@@ -13,7 +13,7 @@
 #include "geometry/mesh_contact/patch.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct SolePoint {
   int key = 0;               // of its direction and corner, from 0 to keys()
@@ -67,4 +67,4 @@ class SolePatches {
   std::vector<Surface> tops_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -155,4 +155,4 @@ Status Ties::hold(int tie, bool holds, const std::vector<ArticulatedBody*>& syst
   return Status::kOk;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -13,7 +13,7 @@
 #include "sim/contact/contact_solve.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class Ties {
  public:
@@ -47,4 +47,4 @@ class Ties {
 // first end of what comes back moves.
 std::vector<Tie> checked_ties(const Model& model, const WorldConfig& config);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 
 #include "sim/engine/articulated_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -138,4 +138,4 @@ ArticulatedWorld::Outcome ArticulatedWorld::advance_loose(double h, bool may_rej
   return Outcome::kTaken;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 #include "sim/engine/articulated_world.h"
 #include "sim/articulated/richardson.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -157,4 +157,4 @@ void ArticulatedWorld::go_back(bool moved) noexcept {
   for (JointLaw& joint : joints_) joint.restore();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 #include "sim/contact/bristle.h"
 #include "sim/engine/articulated_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 std::array<int, 4> pair_of(const Contact& c) {
@@ -82,4 +82,4 @@ bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

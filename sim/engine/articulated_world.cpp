@@ -9,7 +9,7 @@
 #include "robot/description/model.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -494,4 +494,4 @@ double ArticulatedWorld::corner_damping(int sole, double force) const noexcept {
   return damping_at(params, force / params.stiffness);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

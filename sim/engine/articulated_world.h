@@ -38,7 +38,7 @@
 #include "sim/contact/ties.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class ArticulatedWorld final : public World {
  public:
@@ -194,4 +194,4 @@ class ArticulatedWorld final : public World {
   bool frozen_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

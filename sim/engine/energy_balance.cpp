@@ -8,7 +8,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/objects/rigid_object_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 // A gain is doubted that is more than this share of what moves and is pressed, or that the world has
@@ -105,4 +105,4 @@ bool EnergyBalance::add(const World& world, double pushed) noexcept {
   return risen || !(gain_ <= std::max(gains, most_gain_));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -15,7 +15,7 @@
 #include "robot/description/model.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class EnergyBalance {
  public:
@@ -62,4 +62,4 @@ class EnergyBalance {
   double gain_band_ = 0.0, rise_band_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -85,4 +85,4 @@ bool LocalError::add(const std::vector<Eigen::Vector3d>& world, const std::vecto
   return !(needed <= limit_);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -25,7 +25,7 @@
 
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class LocalError {
  public:
@@ -65,4 +65,4 @@ class LocalError {
   double band_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

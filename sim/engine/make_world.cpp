@@ -11,7 +11,7 @@
 #include "sim/engine/welded_world.h"
 #include "sim/mujoco/mujoco_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
   return std::make_unique<ArticulatedWorld>(model, config);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,11 +6,11 @@
 
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // The world of config.engine.  The model must outlive it.  Throws std::runtime_error when the model
 // cannot be simulated (a massless link, an indefinite inertia), naming it, or when the engine does
 // not know the contact asked for.
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -12,7 +12,7 @@
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/engine/ode_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -288,4 +288,4 @@ void OdeWorld::estimate_contact_forces() noexcept {
   forget_open();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 
 #include "sim/world/solid.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline dGeomID geom_of(const Solid& solid) {
   const Eigen::Vector3d& s = solid.size;
@@ -28,4 +28,4 @@ inline bool bounds_meet(const dReal* a, const dReal* b) {
          b[4] <= a[5];
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 #include "sim/objects/rigid_object_mesh.h"
 #include "sim/engine/ode_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -144,4 +144,4 @@ Status OdeWorld::set_loose(int body, const LooseState& state) noexcept {
   return Status::kOk;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

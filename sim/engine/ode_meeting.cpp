@@ -4,7 +4,7 @@
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/engine/ode_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 void OdeWorld::find_meetings() noexcept {
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
@@ -55,4 +55,4 @@ void OdeWorld::meet(std::size_t robot, const OdeGeom& geom, std::size_t other,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

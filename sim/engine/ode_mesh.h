@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // ODE reads the triangles from here: it must outlive its geoms, and stay where it is.
 class OdeMesh {
@@ -40,4 +40,4 @@ class OdeMesh {
   dTriMeshDataID data_ = nullptr;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

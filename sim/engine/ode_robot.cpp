@@ -11,7 +11,7 @@
 #include "sim/world/link_hull.h"
 #include "sim/engine/ode_geom.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -250,4 +250,4 @@ ContactParams OdeRobot::surface(int side) const noexcept {
                 sole.damping / kSoleCorners * config.damping_scale, sole.friction);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -18,7 +18,7 @@
 #include "sim/world/link_pairs.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // One moving joint and the rows that act on it.
 //
@@ -128,4 +128,4 @@ inline Eigen::Matrix3d matrix(const dReal* m) {
   return result;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 #include "sim/engine/ode_robot.h"
 #include "sim/world/coulomb_friction.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -203,4 +203,4 @@ void OdeRobot::update_play() noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

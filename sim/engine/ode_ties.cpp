@@ -5,7 +5,7 @@
 #include "sim/engine/ode_world.h"
 #include "sim/contact/ties.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 void OdeWorld::add_ties(const std::vector<Tie>& tied) {
   for (const Tie& tie : tied) {
@@ -109,4 +109,4 @@ void OdeWorld::read_tie_forces() noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

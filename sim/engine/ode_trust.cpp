@@ -6,7 +6,7 @@
 
 #include "sim/engine/ode_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -90,4 +90,4 @@ double OdeWorld::elastic_energy() const noexcept {
   return energy;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -14,7 +14,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/contact/ties.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -307,4 +307,4 @@ long OdeWorld::engine_messages() noexcept {
   return engine_message_count.load(std::memory_order_relaxed);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -30,7 +30,7 @@
 #include "sim/engine/ode_robot.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct SavedBody {
   dVector3 position, linear, angular;
@@ -209,4 +209,4 @@ class OdeWorld final : public World {
   bool placed_ = true;          // since then somebody has placed something
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "sim/engine/make_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -115,4 +115,4 @@ double TwinnedWorld::apart() const noexcept {
   return most;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

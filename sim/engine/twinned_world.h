@@ -12,7 +12,7 @@
 
 #include "sim/world/forwarding_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class TwinnedWorld final : public ForwardingWorld {
  public:
@@ -51,4 +51,4 @@ class TwinnedWorld final : public ForwardingWorld {
   bool watched_ = true;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

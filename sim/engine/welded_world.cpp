@@ -6,7 +6,7 @@
 #include "common/math/index.h"
 #include "sim/engine/make_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -209,4 +209,4 @@ Eigen::Isometry3d WeldedWorld::robot_link(int robot, int link) const noexcept {
   return world_->robot_link(robot, rigid->link[at(link)]) * rigid->in_link[at(link)];
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -13,7 +13,7 @@
 #include "sim/world/weld.h"
 #include "sim/world/forwarding_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class WeldedWorld final : public ForwardingWorld {
  public:
@@ -65,4 +65,4 @@ class WeldedWorld final : public ForwardingWorld {
   std::vector<ContactPoint> contacts_, standing_;  // as this is seen; of the inner world, of a held base
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

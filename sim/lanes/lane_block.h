@@ -8,7 +8,7 @@
 
 #include "sim/articulated/articulated_lanes.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr int kWorldLanes = 4;
 
@@ -75,4 +75,4 @@ void bound_lanes(LaneBlock& block) noexcept;
 // place_lanes() restores.
 int step_lanes(LaneBlock& block, int asked) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

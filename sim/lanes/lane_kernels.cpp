@@ -8,7 +8,7 @@
 #include "sim/world/step_trust.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 #define TWINBUS_KERNEL_FILE "sim/lanes/lane_step.h"
 #include "common/simd/fused_kernels.h"
@@ -19,4 +19,4 @@ void bound_lanes(LaneBlock& block) noexcept { TWINBUS_KERNEL(bound_worlds(block)
 
 int step_lanes(LaneBlock& block, int asked) noexcept { return TWINBUS_KERNEL(step_worlds(block, asked)); }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

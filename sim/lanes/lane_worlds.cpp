@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -418,4 +418,4 @@ void LaneWorlds::step(int asked, std::array<Status, kWorldLanes>& status) noexce
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

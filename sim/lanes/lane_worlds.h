@@ -16,7 +16,7 @@
 #include "sim/lanes/lane_block.h"
 #include "sim/world/forwarding_world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class LaneWorlds {
  public:
@@ -59,4 +59,4 @@ class LaneWorlds {
   long steps_ = 0, in_lanes_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<std::string> mujoco_files() {
   return files;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

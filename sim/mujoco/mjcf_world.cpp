@@ -7,7 +7,7 @@
 #include "common/text/xml.h"
 #include "robot/mjcf/urdf_text.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -180,4 +180,4 @@ MjcfWorld mjcf_of_world(const std::string& name, const Model& model, const World
   return world;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

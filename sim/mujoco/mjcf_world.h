@@ -10,7 +10,7 @@
 #include "robot/mjcf/model_writer.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // For whom it is written.
 enum class MjcfUse {
@@ -34,4 +34,4 @@ std::string mjcf_loose_joint(std::size_t body);
 MjcfWorld mjcf_of_world(const std::string& name, const Model& model, const WorldConfig& config, const Configuration& start,
                         MjcfUse use, ExportedMeshes& meshes);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -13,7 +13,7 @@
 
 #include "sim/mujoco/find_mujoco.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -243,4 +243,4 @@ std::string MujocoLibrary::complaint_of(const Layout& layout) {
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

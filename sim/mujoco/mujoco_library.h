@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct mjModelOpaque;
 struct mjDataOpaque;
@@ -119,4 +119,4 @@ class MujocoLibrary {
   void (*delete_vfs_)(void*) = nullptr;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 #include "sim/mujoco/mujoco_world.h"
 #include "sim/world/coulomb_friction.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 constexpr std::size_t kMostContacts = 512;
@@ -199,4 +199,4 @@ void MujocoWorld::read_contacts() noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

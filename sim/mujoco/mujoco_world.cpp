@@ -7,7 +7,7 @@
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -257,4 +257,4 @@ double MujocoWorld::corner_damping(int, double force) const noexcept {
   return 2.0 / kTimeConstant * std::max(0.0, force) / kGravity;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -30,7 +30,7 @@
 #include "sim/mujoco/mujoco_library.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct MujocoServo {
   ServoTarget target;
@@ -152,4 +152,4 @@ Eigen::Isometry3d read_mujoco_pose(const double* from) noexcept;
 void write_mujoco_velocity(const Eigen::Matrix3d& axes, const Eigen::Vector3d& linear, const Eigen::Vector3d& angular,
                            double* to) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -5,7 +5,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -136,4 +136,4 @@ void box_contact(const Eigen::Isometry3d& a, const Eigen::Vector3d& half_a,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

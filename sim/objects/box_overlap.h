@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct BoxOverlap {
   static constexpr int kMost = 8;
@@ -31,4 +31,4 @@ void box_contact(const Eigen::Isometry3d& a, const Eigen::Vector3d& half_a,
                  const Eigen::Isometry3d& b, const Eigen::Vector3d& half_b,
                  BoxOverlap& overlap) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class EntryFaces {
  public:
@@ -47,4 +47,4 @@ class EntryFaces {
   std::size_t cursor_ = 0;  // they are found in the same order at each step
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -6,7 +6,7 @@
 #include "robot/description/model.h"
 #include "sim/articulated/richardson.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -179,4 +179,4 @@ std::uint64_t OtherRobots::pattern(std::uint64_t pattern) const noexcept {
   return pattern;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

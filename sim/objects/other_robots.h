@@ -17,7 +17,7 @@
 #include "sim/articulated/joint_law.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class OtherRobots {
  public:
@@ -73,4 +73,4 @@ class OtherRobots {
   std::vector<Contact> found_;  // of one
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -10,7 +10,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/objects/rigid_object_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -490,4 +490,4 @@ void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
   index_memory();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -27,7 +27,7 @@
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Springs and dampers in series.
 ContactParams together(const ContactParams& a, const ContactParams& b);
@@ -217,4 +217,4 @@ class LooseContacts {
   KeyIndex remembered_;                 // of memory_, by key
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 #include "sim/objects/box_overlap.h"
 #include "sim/objects/rigid_object_contacts.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 constexpr double kOverlap = 1e-6;  // of boxes, from which their corners are compared with it [m]
@@ -139,4 +139,4 @@ bool LooseContacts::may_come_through(const Contact& c, double depth) const noexc
   return depth > 0.5 * kPassed * (pieces_[at(one)].thickness + pieces_[at(other)].thickness);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

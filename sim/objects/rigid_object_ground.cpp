@@ -3,7 +3,7 @@
 #include "common/math/index.h"
 #include "sim/objects/rigid_object_contacts.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 constexpr double kFlat = 0.05;   // a cylinder whose cap is this level stands on its rim
@@ -61,4 +61,4 @@ void LooseContacts::meet_cylinder(const Piece& own, Search& search) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/world/link_hull.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -188,4 +188,4 @@ void LooseContacts::add_hull(const Shape& shape, const Model& model, const Conta
   add(std::move(piece));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -12,7 +12,7 @@
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Triangles of a contact mesh that a scene may have.
 inline constexpr std::size_t kMostContactTriangles = 20'000;
@@ -31,4 +31,4 @@ std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid);
 // Of the box around a shape, or around its triangles if it has some [m^2].
 double mean_face(const Solid& solid, const ContactMesh* mesh);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

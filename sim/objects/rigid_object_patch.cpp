@@ -13,7 +13,7 @@
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/objects/rigid_object_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -226,4 +226,4 @@ void LooseContacts::press(const Patch& patch, std::size_t own, int other, bool a
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -9,7 +9,7 @@
 #include "sim/contact/bristle.h"
 #include "sim/objects/rigid_object_contacts.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 void LooseContacts::fall_asleep(const std::vector<int>& heap, const std::vector<ArticulatedBody*>& systems,
                                 const std::vector<Contact>& contacts, double h) noexcept {
@@ -95,4 +95,4 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -12,7 +12,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/objects/rigid_object_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -260,4 +260,4 @@ double LooseBodies::extrapolate(int order) noexcept {
   return correction;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -20,7 +20,7 @@
 #include "sim/objects/other_robots.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class LooseBodies {
  public:
@@ -113,4 +113,4 @@ class LooseBodies {
   std::vector<int> heap_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -21,7 +21,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "sim/scene/scene_obstacle.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -490,4 +490,4 @@ void measure_by_arm(Scene& scene, const Model& model) {
   scene.in_arm_lengths = false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -15,7 +15,7 @@
 #include "robot/kinematics/arm_span.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // The arm while the robot is as the scene starts it, in the ground frame.
 ArmSpan arm_in_scene(const Scene& scene, const Model& model, const Hand& hand);
@@ -27,4 +27,4 @@ std::string begins_too_heavy(const Scene& scene, const Model& model);
 // What was changed is said in Scene::scaled.  Throws std::runtime_error if the robot has no arm, or one that cannot do it.
 void measure_by_arm(Scene& scene, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

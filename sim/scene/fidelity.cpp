@@ -7,7 +7,7 @@
 #include "common/text/closest_name.h"
 #include "sim/world/weld.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -92,4 +92,4 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

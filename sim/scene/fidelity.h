@@ -19,7 +19,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr const char* kFidelityNames[] = {"full", "auto", "legs", "rigid"};
 
@@ -28,4 +28,4 @@ inline constexpr const char* kFidelityNames[] = {"full", "auto", "legs", "rigid"
 // fits two things, and for `legs` of a robot that has none.
 void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

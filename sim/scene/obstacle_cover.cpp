@@ -7,7 +7,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -303,4 +303,4 @@ HeightMap parse_heights(const std::string& text, const std::string& file, double
   return map;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

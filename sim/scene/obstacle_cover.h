@@ -14,7 +14,7 @@
 #include "robot/collision/collision.h"
 #include "geometry/mesh/mesh_file.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Heights above z = 0 of points `spacing` apart, rows along x; between them the surface is bilinear, below it all is
 // solid.
@@ -35,4 +35,4 @@ std::vector<Eigen::Vector3d> parse_points(const std::string& text, const std::st
 // A row of heights a line, all of one length, at least 2 x 2.  Throws likewise.
 HeightMap parse_heights(const std::string& text, const std::string& file, double spacing);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 #include "lcmtypes/msg/obstacle_row.h"
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // At least one piece, so that "no obstacles" is said too.
 inline std::vector<ObstaclesPiece> obstacle_pieces(const std::vector<Obstacle>& obstacles,
@@ -35,4 +35,4 @@ inline std::vector<ObstaclesPiece> obstacle_pieces(const std::vector<Obstacle>& 
   return pieces;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -10,7 +10,7 @@
 #include "sim/scene/obstacle_pieces.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class LoosePieces {
  public:
@@ -94,4 +94,4 @@ class LoosePieces {
   std::vector<ObstaclesPiece> pieces_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

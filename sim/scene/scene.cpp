@@ -23,7 +23,7 @@
 #include "sim/scene/settings.h"
 #include "sim/world/world_origin.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -482,4 +482,4 @@ void resolve_poses(Scene& scene, const Model& model) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 #include "sim/scene/scene_criteria.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct Push {  // constant force on a link for a while
   std::string link;
@@ -194,4 +194,4 @@ std::string read_accuracy(const std::string& text, double& metres);
 // Of config/scenes, by alphabet.
 std::vector<std::string> scene_names();
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

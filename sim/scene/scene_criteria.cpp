@@ -5,7 +5,7 @@
 #include "sim/scene/scene_vectors.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -117,4 +117,4 @@ Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& l
   return criteria;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -9,7 +9,7 @@
 
 #include "common/text/strict_yaml.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
@@ -99,4 +99,4 @@ struct Criteria {
 Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& loose,
                        const std::vector<std::string>& robots);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -17,7 +17,7 @@
 #include "sim/scene/obstacle_cover.h"
 #include "sim/scene/scene_vectors.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -181,4 +181,4 @@ std::string begins_in_ground(const Scene& scene, const Model& model) {
          "put its base on a stand (`check --propose` of its URDF does)";
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // `file` and `scale` of a map: a mesh beside the scene.
 TriangleMesh read_mesh(const ConfigNode& node);
@@ -23,4 +23,4 @@ void add_floor(Scene& scene, const Model& model);
 // Which link of such an arm begins in the ground, how deep, and what helps; empty when none does.
 std::string begins_in_ground(const Scene& scene, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -11,7 +11,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "sim/scene/arm_places.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -130,4 +130,4 @@ void name_places(Scene& scene, const Model& model) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

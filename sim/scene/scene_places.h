@@ -13,7 +13,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Index in links; -1: the robot has no such place.
 int find_place(const Model& model, const std::string& name);
@@ -24,4 +24,4 @@ int find_joint_place(const Model& model, const std::string& name);
 // stays as it is.  A robot with one hand uses it for either; one whose base is fixed holds where others balance.
 void name_places(Scene& scene, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

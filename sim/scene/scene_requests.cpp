@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 SceneRequests requests_of(const Scene& scene) {
   SceneRequests all;
@@ -22,4 +22,4 @@ SceneRequests requests_of(const Scene& scene) {
   return all;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -5,8 +5,8 @@
 #include "bridge/source/scene_script.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 SceneRequests requests_of(const Scene& scene);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

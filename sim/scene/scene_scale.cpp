@@ -11,7 +11,7 @@
 #include "robot/estimation/point_legs.h"
 #include "robot/kinematics/kinematics.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -160,4 +160,4 @@ void scale_to(Scene& scene, const Model& model) {
   if (own.hash != model.hash) scale_between(scene, own, model);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

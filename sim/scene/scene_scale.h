@@ -18,7 +18,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // From the first joint of a leg to the ground in the zero posture [m]; 0 without two soles.
 double leg_length_of(const Model& model);
@@ -30,4 +30,4 @@ void scale_to(Scene& scene, const Model& model);
 // The same for a scene that was written for `own`.
 void scale_between(Scene& scene, const Model& own, const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

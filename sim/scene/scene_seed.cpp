@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "common/math/random.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -194,4 +194,4 @@ Model changed_model(const Model& model, const Scene& scene) {
   return changed;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -10,7 +10,7 @@
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // Fills tiles from terrain, adds the pushes of push_round, draws the disturbance; the same seed, the same scene.  Throws std::runtime_error
 // naming a link that the robot does not have.
@@ -27,4 +27,4 @@ Disturbance small_disturbance();
 // The robot as the scene's bodies change it.  Throws std::runtime_error naming a link that it does not have.
 Model changed_model(const Model& model, const Scene& scene);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

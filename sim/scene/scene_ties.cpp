@@ -5,7 +5,7 @@
 #include "common/math/index.h"
 #include "robot/description/loops.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -116,4 +116,4 @@ bool SceneTies::held(int hand, const LoosePieces& loose, ObstaclesPiece& out) co
   return any;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

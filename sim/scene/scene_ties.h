@@ -11,7 +11,7 @@
 #include "sim/scene/scene.h"
 #include "sim/world/constraint.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class SceneTies {
  public:
@@ -41,4 +41,4 @@ class SceneTies {
   std::int64_t changes_ = 0;  // grips and releases so far
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

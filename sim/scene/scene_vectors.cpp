@@ -1,6 +1,6 @@
 #include "sim/scene/scene_vectors.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 Eigen::Vector3d bounded(const ConfigNode& node, const std::string& key, double bound,
                         const Eigen::Vector3d* fallback) {
@@ -20,4 +20,4 @@ Eigen::Quaterniond rpy(const ConfigNode& node) {
          Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 
 #include "common/text/strict_yaml.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -20,4 +20,4 @@ Eigen::Vector3d bounded(const ConfigNode& node, const std::string& key, double b
 // Key rpy_deg: about x, then y, then z; none: no turn.
 Eigen::Quaterniond rpy(const ConfigNode& node);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -5,7 +5,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -167,4 +167,4 @@ void Sensors::measure_wrenches(const World& world) noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

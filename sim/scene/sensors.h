@@ -16,7 +16,7 @@
 #include "sim/world/felt_feet.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // How one kind of sensor differs from an ideal one, in its own unit; 0: not at all.
 struct Imperfection {
@@ -92,4 +92,4 @@ class Sensors {
   bool history_filled_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -232,4 +232,4 @@ std::string settings_help() {
   return help;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -12,7 +12,7 @@
 #include "sim/scene/sensors.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct SimSettings {
   WorldConfig world;
@@ -32,4 +32,4 @@ void apply_settings(const std::vector<std::pair<std::string, std::string>>& list
 // Lines for --help: key, range, meaning.
 std::string settings_help();
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

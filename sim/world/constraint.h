@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct TieEnd {
   int link = -1;                                    // of a robot; -1: not on one
@@ -22,4 +22,4 @@ struct Tie {
   bool holds = true;       // from the start on
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 #include "robot/description/model.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // [N m or N].  What is added is at most a share of the effort limit: a wrist has no ankle's friction.
 inline double coulomb_friction(const Joint& joint, const WorldConfig& config) noexcept {
@@ -16,4 +16,4 @@ inline double coulomb_friction(const Joint& joint, const WorldConfig& config) no
   return joint.friction * config.friction_scale + added;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

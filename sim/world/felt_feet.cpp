@@ -4,7 +4,7 @@
 #include "robot/collision/collision_pairs.h"
 #include "robot/estimation/standing_feet.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 constexpr double kToeRoot = 0.01;  // so far beyond its edges a sole carries what hangs on its link [m]
@@ -47,4 +47,4 @@ FeltFeet felt_feet(const Model& model) {
   return feet;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -12,7 +12,7 @@
 #include "robot/description/model.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct FeltFoot {
   int link = -1;  // -1: there is no such foot
@@ -44,4 +44,4 @@ bool under_sole(const Sole& sole, const Eigen::Vector3d& center, double radius) 
 // Allocates.
 FeltFeet felt_feet(const Model& model);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

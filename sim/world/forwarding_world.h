@@ -6,7 +6,7 @@
 
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class ForwardingWorld : public World {
  public:
@@ -37,4 +37,4 @@ class ForwardingWorld : public World {
   virtual const World& shown() const noexcept = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

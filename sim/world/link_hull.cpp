@@ -7,7 +7,7 @@
 #include "geometry/bounds/convex_hull.h"
 #include "geometry/bounds/shape_mesh.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<TouchPoint> touch_points(const Shape& shape) {
   return points;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -8,7 +8,7 @@
 #include "geometry/mesh/mesh_file.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // In the link frame.  Of a mesh without volume the box around it, 1 mm thick at least.  Throws
 // std::runtime_error when it cannot be read.
@@ -23,4 +23,4 @@ struct TouchPoint {
 // it is a disk; of triangles the corners of link_hull.
 std::vector<TouchPoint> touch_points(const Shape& shape);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

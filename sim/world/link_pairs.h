@@ -8,7 +8,7 @@
 #include "common/math/index.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 class LinkPairs {
  public:
@@ -30,4 +30,4 @@ class LinkPairs {
   std::vector<char> part_;  // [links x links]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

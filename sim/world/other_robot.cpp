@@ -6,7 +6,7 @@
 #include "sim/world/static_equilibrium.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 OtherRobot standing_robot(const std::string& name, std::shared_ptr<const Model> model,
                           const Eigen::VectorXd& q, const Eigen::Isometry3d& place) {
@@ -56,4 +56,4 @@ WorldConfig config_of(const OtherRobot& robot, const WorldConfig& world) {
   return own;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

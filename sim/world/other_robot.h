@@ -10,7 +10,7 @@
 #include "robot/description/model.h"
 #include "sim/world/servo_target.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct WorldConfig;
 
@@ -33,4 +33,4 @@ void check_robot(const OtherRobot& robot);
 // alone is not changed of this one.
 WorldConfig config_of(const OtherRobot& robot, const WorldConfig& world);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -4,7 +4,7 @@
 
 #include "lcmtypes/msg/status.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // torque = tau + kp (q - q_now) + kd (qd - qd_now), within the effort limit.
 struct ServoTarget {
@@ -18,4 +18,4 @@ struct ServoTarget {
 // kNotFinite or kOutOfRange (negative gain, absurd size) for a target that no servo may have.
 Status check_target(const ServoTarget& target) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

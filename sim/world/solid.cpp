@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -141,4 +141,4 @@ std::vector<Probe> probes_of(const Solid& solid) {
   return probes;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

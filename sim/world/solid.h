@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 enum class SolidShape { kBox, kSphere, kCylinder, kCapsule };
 
@@ -38,4 +38,4 @@ struct Probe {
 // Corners of a box, points of a cylinder's rims and spheres along a spine.
 std::vector<Probe> probes_of(const Solid& solid);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -9,7 +9,7 @@
 #include "sim/world/link_hull.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -367,4 +367,4 @@ void fit_base_to_corner_forces(const Model& model,
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

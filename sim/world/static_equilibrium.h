@@ -9,7 +9,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct Standing {
   Configuration configuration;  // at rest
@@ -38,4 +38,4 @@ void fit_base_to_corner_forces(const Model& model,
 // m] about the sole frame's origin: the distribution of a plane on springs.  A corner never pulls.
 std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -85,4 +85,4 @@ struct TrustCounts {
   }
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

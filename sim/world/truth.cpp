@@ -6,7 +6,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "robot/estimation/support_polygon.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -107,4 +107,4 @@ void fill_doubts(const TrustCounts& counts, SimTruth& truth) noexcept {
   truth.doubted_since = counts.doubted > 0 ? counts.first_at : 0.0;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

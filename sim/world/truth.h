@@ -8,7 +8,7 @@
 #include "sim/world/step_trust.h"
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 // standing_height: of the centre of mass when the run began [m]; half of it, or a tilt of 60 degrees, counts as fallen.
 void fill_truth(const Model& model, const FeltFeet& feet, const World& world, double standing_height, SimTruth& truth) noexcept;
@@ -16,4 +16,4 @@ void fill_truth(const Model& model, const FeltFeet& feet, const World& world, do
 // What of its steps is not to be trusted.
 void fill_doubts(const TrustCounts& counts, SimTruth& truth) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -4,7 +4,7 @@
 
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -176,4 +176,4 @@ WeldedModel weld(const Model& model, const std::vector<bool>& held, const Eigen:
   return welded;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 struct WeldedModel {
   Model model;             // joints and links that are left, in their order
@@ -26,4 +26,4 @@ void hold_followers(const Model& model, std::vector<bool>& held);
 // another size, or a held joint that follows one which moves.
 WeldedModel weld(const Model& model, const std::vector<bool>& held, const Eigen::VectorXd& q);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

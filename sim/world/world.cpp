@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 namespace {
 
@@ -88,4 +88,4 @@ void check_links(const Model& model, bool fixed_base) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -21,7 +21,11 @@
 #include "sim/world/step_trust.h"
 #include "sim/world/constraint.h"
 
-namespace twinbus {
+namespace twinbus::inline geometry {
+class ContactMesh;
+}  // namespace twinbus::geometry
+
+namespace twinbus::inline sim {
 
 enum class Engine {
   kArticulated, kOde, kMujoco  // sim/engine/articulated_world.h, ode_world.h, sim/mujoco/mujoco_world.h
@@ -59,8 +63,6 @@ struct LooseState {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // world [m/s]
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // world [rad/s]
 };
-
-class ContactMesh;
 
 // A homogeneous body that nothing holds.
 struct LooseBody {
@@ -214,4 +216,4 @@ class World {
 // Throws std::runtime_error, naming the link, for one that is to move without a positive mass and inertia.
 void check_links(const Model& model, bool fixed_base);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

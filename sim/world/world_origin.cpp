@@ -1,6 +1,6 @@
 #include "sim/world/world_origin.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 void move_everything(const Eigen::Vector3d& by, WorldConfig& config) {
   for (Obstacle& obstacle : config.obstacles) obstacle.pose.translation() += by;
@@ -14,4 +14,4 @@ void move_everything(const Eigen::Vector3d& by, WorldConfig& config) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -9,11 +9,11 @@
 
 #include "sim/world/world.h"
 
-namespace twinbus {
+namespace twinbus::inline sim {
 
 inline constexpr double kMostOrigin = 1e5;  // of a scene, along x and y [m]; a tenth of kMaxDistance
 
 // Obstacles, tiles, loose bodies, further robots and fixed ends of ties; the commanded robot goes where World::set() puts it.
 void move_everything(const Eigen::Vector3d& by, WorldConfig& config);
 
-}  // namespace twinbus
+}  // namespace twinbus::sim

@@ -12,7 +12,7 @@
 #include <span>
 #include <string_view>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 inline constexpr std::uint32_t kEventMark = 0xEDA1DA01;
 inline constexpr std::size_t kEventHead = 28;         // [bytes] before the channel
@@ -46,4 +46,4 @@ inline void write_i64(std::uint8_t* p, std::int64_t x) noexcept {
   write_u32(p + 4, static_cast<std::uint32_t>(x));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

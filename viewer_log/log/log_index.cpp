@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -130,4 +130,4 @@ void LogCheck::compare(const LogIndex& index) {
   missing_ += std::count(found.begin(), found.end(), false);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -15,7 +15,7 @@
 
 #include "viewer_log/log/log_event.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 inline constexpr char kLogIndex[] = "LOG_INDEX";
 inline constexpr std::size_t kMostSums = 8192;  // of one index
@@ -61,4 +61,4 @@ class LogCheck {
   std::int64_t checked_ = 0, wrong_ = 0, missing_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -11,7 +11,7 @@
 
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -83,4 +83,4 @@ const ShelvedLog* LogShelf::find(const std::string& name) const {
   return found == logs_.end() ? nullptr : &*found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

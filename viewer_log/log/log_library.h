@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct ShelvedLog {
   std::string name;  // of its run folder, or of its file
@@ -35,4 +35,4 @@ class LogShelf {
   std::vector<ShelvedLog> given_, logs_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -7,7 +7,7 @@
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -118,4 +118,4 @@ void MarkFinder::on_event(const Event& event, std::int64_t utime) {
   add(utime, fall ? MarkKind::kFall : MarkKind::kMessage, std::move(text));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

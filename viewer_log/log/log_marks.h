@@ -12,7 +12,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 enum class MarkKind : std::int8_t { kSwitch, kStop, kFall, kGuard, kMissed, kMessage };
 const char* label(MarkKind kind) noexcept;
@@ -51,4 +51,4 @@ class MarkFinder {
   std::vector<std::pair<std::int64_t, std::int32_t>> told_;  // newest per sender
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

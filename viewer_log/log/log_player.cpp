@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 constexpr std::int64_t kTail = 1 << 20;  // whose events tell when the log ends [bytes]
@@ -57,4 +57,4 @@ void LogPlayer::advance(double dt, const std::function<void(const LogEvent&)>& v
   seek(0.0);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -10,7 +10,7 @@
 
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class LogPlayer {
  public:
@@ -43,4 +43,4 @@ class LogPlayer {
   std::int64_t first_us_ = 0, last_us_ = 0, position_us_ = 0, loops_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

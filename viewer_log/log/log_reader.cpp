@@ -15,7 +15,7 @@
 
 #include "common/text/formatted.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 constexpr std::size_t kWindow = 1 << 20;         // read at once [bytes]
@@ -322,4 +322,4 @@ void LogReader::seek(std::int64_t utime) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -14,7 +14,7 @@
 
 #include "viewer_log/log/log_event.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct LogDamage {
   std::int64_t places = 0;  // runs of bytes that are no events
@@ -87,4 +87,4 @@ class LogReader {
   std::size_t window_count_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -11,7 +11,7 @@
 
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -172,4 +172,4 @@ void LogWriter::close() {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

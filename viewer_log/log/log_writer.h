@@ -10,7 +10,7 @@
 
 #include "viewer_log/log/log_index.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Appends one event to bytes; its number is given when it is written.
 void append_event(std::vector<std::uint8_t>& bytes, std::int64_t utime, std::string_view channel,
@@ -55,4 +55,4 @@ class LogWriter {
   std::vector<std::uint8_t> buffer_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

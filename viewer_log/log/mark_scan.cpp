@@ -5,7 +5,7 @@
 
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 constexpr std::int64_t kTellEvery = 64 << 20;  // [bytes]
@@ -55,4 +55,4 @@ void MarkScan::scan() {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

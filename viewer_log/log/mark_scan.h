@@ -14,7 +14,7 @@
 #include "viewer_log/log/log_event.h"
 #include "viewer_log/log/log_marks.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class MarkScan {
  public:
@@ -42,4 +42,4 @@ class MarkScan {
   std::thread thread_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -228,4 +228,4 @@ void McapWriter::close() {
     throw std::runtime_error("mcap " + file_ + ": cannot be written: " + std::strerror(errno));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

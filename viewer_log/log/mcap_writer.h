@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Some messages that follow one another.
 class McapChunk {
@@ -72,4 +72,4 @@ class McapWriter {
   std::map<std::uint16_t, std::uint64_t> counts_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -9,7 +9,7 @@
 #include "viewer_log/log/log_event.h"
 #include "viewer_log/log/shortest_number.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -156,4 +156,4 @@ std::string_view MessageJson::json_of(std::span<const std::uint8_t> message, Jso
   return {room.json_.data(), static_cast<std::size_t>(out - room.json_.data())};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

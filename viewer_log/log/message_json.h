@@ -13,7 +13,7 @@
 
 #include "viewer_log/log/message_schema.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Where the JSON of messages of one type is written.  Remembers the last message, which has to stay where it was: what
 // did not change is not written as decimals again.
@@ -50,4 +50,4 @@ class MessageJson {
   std::size_t longest_ = 0;  // JSON [bytes]
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -9,7 +9,7 @@
 #include "viewer_log/log/log_event.h"
 #include "viewer_log/log/shortest_number.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -186,4 +186,4 @@ void append_field(std::string& text, const MessageField& field,
   text.append(digits, write_field(digits, field.type, p));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

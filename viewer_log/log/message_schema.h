@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 enum class FieldType : std::int8_t { kI8, kI16, kI32, kI64, kFloat, kDouble };
 
@@ -49,4 +49,4 @@ char* write_field(char* out, FieldType type, const std::uint8_t* p) noexcept;
 void append_field(std::string& text, const MessageField& field,
                   std::span<const std::uint8_t> message);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -14,7 +14,7 @@
 
 #include "viewer_log/log/log_reader.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -223,4 +223,4 @@ void Recorder::work() {
   (void)writer_->write_index();
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -18,7 +18,7 @@
 
 #include "viewer_log/log/log_writer.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct RecorderConfig {
   std::string
@@ -93,4 +93,4 @@ class Recorder {
   std::thread thread_;  // last: it uses all of the above
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

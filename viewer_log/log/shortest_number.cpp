@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -229,4 +229,4 @@ char* write_number(char* out, Number value) noexcept {
 char* write_shortest(char* out, double value) noexcept { return write_number(out, value); }
 char* write_shortest(char* out, float value) noexcept { return write_number(out, value); }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 inline constexpr std::size_t kLongestNumber = 48;  // [bytes] that writing a number may touch
 
@@ -17,4 +17,4 @@ inline constexpr std::size_t kLongestNumber = 48;  // [bytes] that writing a num
 char* write_shortest(char* out, double value) noexcept;
 char* write_shortest(char* out, float value) noexcept;
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

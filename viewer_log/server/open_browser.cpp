@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 void open_browser(const std::string& address) {
   const bool display = std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
@@ -14,4 +14,4 @@ void open_browser(const std::string& address) {
   _exit(1);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

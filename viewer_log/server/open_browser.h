@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Only where there is a display and the standard output is a terminal; the browser goes on without us.
 void open_browser(const std::string& address);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 std::string address_for_others(bool v6) {
   std::string found = v6 ? "[::1]" : "127.0.0.1";
@@ -32,4 +32,4 @@ std::string address_for_others(bool v6) {
   return found;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // As it is written in a URL; the loopback address if there is none.
 std::string address_for_others(bool v6);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -7,7 +7,7 @@
 #include "common/file/beside_program.h"
 #include "common/process/command_word.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 WebDocument page_document(const std::string& folder, bool installed) {
   const std::string file = find_file({{"/", folder}}, "/index.html");
@@ -19,4 +19,4 @@ WebDocument page_document(const std::string& folder, bool installed) {
 
 WebDocument page_document(const std::string& folder) { return page_document(folder, program_is_installed()); }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

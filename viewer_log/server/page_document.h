@@ -9,10 +9,10 @@
 
 #include "viewer_log/server/web_path.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Throws std::runtime_error where that folder holds no page.
 WebDocument page_document(const std::string& folder);
 WebDocument page_document(const std::string& folder, bool installed);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

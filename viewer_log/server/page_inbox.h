@@ -13,7 +13,7 @@
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/setup_desk.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // A stop has a place of its own, so it is never crowded out.
 class PageInbox {
@@ -63,4 +63,4 @@ class PageInbox {
   StopKind stop_ = StopKind::kNone;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -6,7 +6,7 @@
 #include "common/text/json_depth.h"
 #include "lcmtypes/msg/motion_defaults.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -223,4 +223,4 @@ std::string note_frame(const std::string& text) {
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -21,7 +21,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct PageRequest {
   enum class What {
@@ -67,4 +67,4 @@ struct PageRequest {
 // The same sentence as JSON for the page: {"type":"note","text":...}.
 std::string note_frame(const std::string& text);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -125,4 +125,4 @@ bool read_replay_request(const std::string& text, bool trusted, ReplayRequest& r
   return false;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct ReplayRequest {
   enum class What {
@@ -41,4 +41,4 @@ inline constexpr double kSlowest = 0.05, kFastest = 16.0;  // times as fast as i
 [[nodiscard]] bool read_replay_request(const std::string& text, bool trusted,
                                        ReplayRequest& request, std::string& problem);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

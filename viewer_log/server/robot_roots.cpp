@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 std::vector<WebRoot> robot_roots(const Model& model) {
   namespace fs = std::filesystem;
@@ -17,4 +17,4 @@ std::vector<WebRoot> robot_roots(const Model& model) {
   return roots;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class StrangerSeats {
  public:
@@ -50,4 +50,4 @@ class StrangerSeats {
   std::list<Seat> seats_;  // the oldest first
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -180,4 +180,4 @@ std::string random_token() {
   return token;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct WebRoot {
   std::string prefix;  // begins and ends with '/'
@@ -62,4 +62,4 @@ std::string content_policy(const std::string& own, int port, bool near,
 // 128 random bits in hexadecimal.
 std::string random_token();
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -20,7 +20,7 @@
 #include "viewer_log/server/own_address.h"
 #include "viewer_log/server/stranger_seats.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -488,4 +488,4 @@ WebStats WebServer::stats() const {
   return {impl_->shared.client_count, impl_->shared.frames_sent, impl_->shared.refused};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -19,7 +19,7 @@
 
 #include "viewer_log/server/web_path.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 inline constexpr int kWebSlots = 10;
 
@@ -75,4 +75,4 @@ class WebServer {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

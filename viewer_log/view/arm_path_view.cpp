@@ -2,7 +2,7 @@
 
 #include "lcmtypes/msg/labels.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 constexpr int kMostPieces = 64;
@@ -55,4 +55,4 @@ void ArmPathView::finish() {
 
 const char* ArmPathView::status_text() const { return label(status_); }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

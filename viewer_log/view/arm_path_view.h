@@ -10,7 +10,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class ArmPathView {
  public:
@@ -40,4 +40,4 @@ class ArmPathView {
   std::vector<Knot> knots_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -5,7 +5,7 @@
 
 #include "viewer_log/view/frame_number.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::string CameraView::frame() const {
                {"image", std::string("data:") + type() + ";base64," + base64(picture_)}});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -10,7 +10,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 inline constexpr std::int8_t kCameraPicture = 8;  // kind of a model_text_t that is one
 
@@ -34,4 +34,4 @@ class CameraView {
   std::int64_t version_ = 0, at_ns_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

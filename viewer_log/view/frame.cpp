@@ -14,7 +14,7 @@
 #include "viewer_log/view/scene_frame.h"
 #include "viewer_log/view/signals.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -428,4 +428,4 @@ std::string hello_frame(const Model& model, bool trusted) {
                {"period_ms", number(1e3 * model.period(), 3)}});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -17,7 +17,7 @@
 
 #include "viewer_log/view/stack_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // What a frame of a recording has besides: where in the log it is, and another log to be shown as a ghost.
 struct Recorded {
@@ -37,4 +37,4 @@ std::string path_frame(const StackView& view);
 // The answer to a page that says hello: the robot's joints in bus order, and whether it may act.
 std::string hello_frame(const Model& model, bool trusted);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 using Json = nlohmann::json;
 using Eigen::Vector3d;
@@ -51,4 +51,4 @@ inline std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

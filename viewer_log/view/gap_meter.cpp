@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -65,4 +65,4 @@ bool GapMeter::take(Gap& gap) noexcept {
   return true;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -7,7 +7,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Other minus active; two states of one tick.
 Gap gap_between(const RobotState& active, const RobotState& other) noexcept;
@@ -32,4 +32,4 @@ class GapMeter {
   bool fresh_ = false;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

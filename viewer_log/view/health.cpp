@@ -6,7 +6,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/pace.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -123,4 +123,4 @@ const char* label(HealthLevel level) noexcept {
   return name_of(level, kLabels, "bad");
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -8,7 +8,7 @@
 
 #include "viewer_log/view/stack_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 enum class HealthLevel { kWaiting, kGood, kWarning, kStopped, kBad };
 
@@ -24,4 +24,4 @@ struct Health {
 // The worst thing first; the rest can be read in the tables.
 Health assess(const StackView& view, std::int64_t now_ns);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

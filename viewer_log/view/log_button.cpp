@@ -11,7 +11,7 @@
 #include "common/time/time_name.h"
 #include "viewer_log/view/frame_number.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::string LogButton::frame() const {
   return dump({{"type", "recording"}, {"on", on()}, {"text", text_}});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

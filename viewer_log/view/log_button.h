@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class LogButton {
  public:
@@ -40,4 +40,4 @@ class LogButton {
   bool asked_ = false;  // to end
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

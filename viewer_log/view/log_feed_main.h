@@ -13,7 +13,7 @@
 #include "viewer_log/log/log_marks.h"
 #include "viewer_log/view/log_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class MessageFeed : public LogFeed {
  public:
@@ -110,4 +110,4 @@ class MessageFeed : public LogFeed {
   std::string prefix_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -7,7 +7,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -152,4 +152,4 @@ void LogView::step(int by) {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

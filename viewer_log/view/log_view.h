@@ -15,7 +15,7 @@
 #include "viewer_log/log/log_player.h"
 #include "viewer_log/view/stack_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class LogFeed {
  public:
@@ -75,4 +75,4 @@ class LogView {
   double first_state_ = 0.0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

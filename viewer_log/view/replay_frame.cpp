@@ -2,7 +2,7 @@
 
 #include "viewer_log/view/frame_number.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 Json time_or_none(double seconds) { return seconds < 0.0 ? Json(nullptr) : number(seconds, 4); }
@@ -48,4 +48,4 @@ std::string shelf_frame(const LogShelf& shelf, const std::string& trouble) {
   return dump({{"type", "shelf"}, {"logs", list}, {"trouble", trouble}});
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -10,7 +10,7 @@
 #include "viewer_log/log/log_library.h"
 #include "viewer_log/view/log_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 struct ReplayState {
   std::string name, beside;  // of the logs shown; beside may be empty
@@ -26,4 +26,4 @@ std::string marks_frame(const std::vector<LogMark>& marks, std::int64_t left_out
 // trouble: why the last one that was asked for could not be opened; or empty.
 std::string shelf_frame(const LogShelf& shelf, const std::string& trouble);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

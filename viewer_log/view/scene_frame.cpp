@@ -3,7 +3,7 @@
 #include "robot/collision/thing_name.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -90,4 +90,4 @@ void add_moving(const StackView& view, std::int64_t now_ns, const Eigen::Isometr
   frame["footsteps"] = shapes({view.footsteps().value}, ground);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -9,7 +9,7 @@
 #include "viewer_log/view/frame_number.h"
 #include "viewer_log/view/stack_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Obstacles, terrain and the shapes of loose bodies and of what hands hold.  place: from the world of the view to the one that is drawn.
 std::string scene_frame(const StackView& view,
@@ -19,4 +19,4 @@ std::string scene_frame(const StackView& view,
 void add_moving(const StackView& view, std::int64_t now_ns, const Eigen::Isometry3d& place,
                 Json& frame);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -10,7 +10,7 @@
 #include "common/file/write_file.h"
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -122,4 +122,4 @@ std::string lay_wish(const std::string& folder, const std::string& wish) {
   return {};
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

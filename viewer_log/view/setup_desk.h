@@ -6,7 +6,7 @@
 
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // JSON: scenes with what they are about, poses, joints with their limits, links, frames, soles, hands and IMU, pairs that are not checked.
 std::string setup_choices(const Model& model, const std::string& scenes_folder);
@@ -14,4 +14,4 @@ std::string setup_choices(const Model& model, const std::string& scenes_folder);
 // Lays the wish where `up` looks.  A sentence when it cannot be; folder empty: nobody looks.
 std::string lay_wish(const std::string& folder, const std::string& wish);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -8,7 +8,7 @@
 
 #include "lcmtypes/msg/messages.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class ShapeSet {
  public:
@@ -47,4 +47,4 @@ class ShapeSet {
   std::int64_t version_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -6,7 +6,7 @@
 
 #include "viewer_log/view/frame_number.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
   return dump(frame);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

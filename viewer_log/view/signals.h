@@ -13,7 +13,7 @@
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/stack_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 // Of a recording also OTHER, the other log, and RESIDUAL, the other less this one.
 // What a row of wrenches is called: left_foot, right_foot, left_hand, right_hand, a foot without a sole by its link.
@@ -22,4 +22,4 @@ std::string limb_name(const StackView& view, std::size_t limb);
 std::string signals_frame(const StackView& view, std::int64_t now_ns,
                           const Recorded* recorded = nullptr);
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -6,7 +6,7 @@
 
 #include "common/math/pose_math.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -219,4 +219,4 @@ void StackView::forget_silent(std::int64_t now_ns) {
   std::erase_if(processes_, silent);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

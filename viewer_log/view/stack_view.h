@@ -22,7 +22,7 @@
 #include "viewer_log/view/camera_view.h"
 #include "viewer_log/view/shape_set.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 template <class T>
 struct Heard {
@@ -164,4 +164,4 @@ class StackView {
   Eigen::Isometry3d world_from_sim_ = Eigen::Isometry3d::Identity();
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

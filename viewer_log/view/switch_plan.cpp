@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 namespace {
 
@@ -93,4 +93,4 @@ void SwitchPlan::ask_takeover(const StackView& view, SourceRequest& request) {
   request.target_run_id = target_;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -10,7 +10,7 @@
 #include "lcmtypes/msg/messages.h"
 #include "viewer_log/view/stack_view.h"
 
-namespace twinbus {
+namespace twinbus::inline viewer_log {
 
 class SwitchPlan {
  public:
@@ -27,4 +27,4 @@ class SwitchPlan {
   std::int64_t target_ = 0, since_ns_ = 0, near_ns_ = 0;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::viewer_log

@@ -14,7 +14,7 @@
 #include "bridge/adaptor/adaptor_abi.h"
 #include "bridge/adaptors/emulated_robot/protocol.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -232,6 +232,6 @@ class EmulatedRobot final : public RobotAdaptor {
   StatePacket newest_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge
 
 TWINBUS_ADAPTOR(twinbus::EmulatedRobot)

@@ -17,7 +17,7 @@
 #include <cstring>
 #include <string>
 
-namespace twinbus::emulated {
+namespace twinbus::inline bridge::emulated {
 
 inline constexpr std::uint32_t kCommandMagic = 0x31435245;  // "ERC1"
 inline constexpr std::uint32_t kStateMagic = 0x31535245;    // "ERS1"
@@ -133,4 +133,4 @@ inline socklen_t abstract_address(const std::string& name, sockaddr_un& address)
   return static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + length);
 }
 
-}  // namespace twinbus::emulated
+}  // namespace twinbus::bridge::emulated

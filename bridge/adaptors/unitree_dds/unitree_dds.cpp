@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 namespace {
 
@@ -216,4 +216,4 @@ void UnitreeDds::serve() noexcept {
   }
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -19,7 +19,7 @@
 #include "bridge/unitree/low_frames.h"
 #include "bridge/unitree/motion_service.h"
 
-namespace twinbus {
+namespace twinbus::inline bridge {
 
 struct DdsOptions {
   std::string interface = "lo";  // network interface by name; it must be named, since an automatic choice can hang
@@ -66,4 +66,4 @@ class UnitreeDds {
   alignas(8) std::array<std::byte, kLargestFrame> taken_{}, sent_{};
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::bridge

@@ -12,7 +12,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/collision/exact/self_collision.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -227,4 +227,4 @@ std::string srdf_with_pairs(const Model& model, const std::vector<PairVerdict>& 
   return text.insert(end, lines);
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

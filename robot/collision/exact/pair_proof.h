@@ -19,7 +19,7 @@
 #include "robot/collision/links/link_geometry.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 enum class PairKind { kNeighbours, kNever, kTouches, kAlwaysSeen, kUnproved };
 
@@ -45,4 +45,4 @@ std::vector<PairVerdict> judge_pairs(const Model& model, const RobotGeometry& ge
 // The SRDF with the pairs added that need no check and are not in it yet, each with its reason.
 std::string srdf_with_pairs(const Model& model, const std::vector<PairVerdict>& verdicts);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -13,7 +13,7 @@
 #include "geometry/distance/mesh_distance.h"
 #include "robot/collision/exact/self_collision.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -359,4 +359,4 @@ bool are_cells_of(const JointCells& cells, const Model& model, const RobotGeomet
   });
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

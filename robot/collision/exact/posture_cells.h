@@ -20,7 +20,7 @@
 #include "robot/collision/links/link_geometry.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct JointCells {
   static constexpr int kMostJoints = 3, kMostCouples = 30;
@@ -55,4 +55,4 @@ std::vector<JointCells> find_joint_cells(const Model& model, const RobotGeometry
 bool are_cells_of(const JointCells& cells, const Model& model, const RobotGeometry& geometry,
                   const CollisionPair& pair, const JointCellOptions& options = {});
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

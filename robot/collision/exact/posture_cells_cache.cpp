@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "common/file/byte_pack.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -128,4 +128,4 @@ void find_and_keep_cells(const Model& model, const RobotGeometry& geometry, Self
   check.use(std::move(cells));
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

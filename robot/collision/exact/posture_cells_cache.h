@@ -15,7 +15,7 @@
 
 #include "robot/collision/exact/self_collision.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Lets `check`, of this robot, use what is kept; false when nothing is.
 bool use_kept_cells(const Model& model, const RobotGeometry& geometry, SelfCollision& check);
@@ -31,4 +31,4 @@ std::optional<std::vector<JointCells>> unpack_cells(const std::string& bytes, co
                                                     const std::vector<CollisionPair>& pairs,
                                                     std::string& why);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 #include "robot/collision/exact/self_collision_body.h"
 #include "robot/collision/exact/self_collision_data.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // clang-format off
 #define TWINBUS_WIDE 0
@@ -367,4 +367,4 @@ const SelfCollision::Work& SelfCollision::work() const noexcept {
   return i.counters;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -19,7 +19,7 @@
 #include "robot/collision/exact/posture_cells.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 class SelfCollision {
  public:
@@ -69,4 +69,4 @@ class SelfCollision {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -4,7 +4,7 @@
 
 #include "robot/collision/links/inscribed_spheres.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -146,4 +146,4 @@ CollisionBodyStore::CollisionBodyStore(const LinkGeometry& link, bool inner) {
   view_.witnesses = static_cast<int>(witness_.size());
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "robot/collision/links/link_geometry.h"
 #include "robot/collision/exact/self_collision_data.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 constexpr int kCollisionLanes = 8;
 
@@ -51,4 +51,4 @@ class CollisionBodyStore {
   std::vector<std::array<float, 4>> middle_, half_, witness_;
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

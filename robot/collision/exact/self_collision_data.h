@@ -6,7 +6,7 @@
 #include "geometry/distance/body_data.h"
 #include "robot/collision/exact/posture_cells.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // What the last look at a pair found; it says where to look first, never what is there.
 struct alignas(16) CollisionMemory {
@@ -50,4 +50,4 @@ struct CollisionTables {
   int most_clusters = 0;              // padded to 8
 };
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -14,7 +14,7 @@
 #include "common/file/byte_pack.h"
 #include "geometry/bounds/triangle_clusters.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -271,4 +271,4 @@ std::optional<TriangleMesh> kept_coarse_hull(const TriangleMesh& mesh) {
   return hull;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 #include "common/file/fingerprint.h"
 #include "robot/collision/links/link_geometry.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // Fills in hull, sphere, capsule and clusters of a link whose mesh and box are there; false,
 // with nothing changed, when they are not known or do not hold.
@@ -39,4 +39,4 @@ FingerprintMaker fingerprint_of_code();
 std::string packed_bounds(const LinkGeometry& link, const std::vector<int>& order);
 bool unpack_bounds(const std::string& bytes, LinkGeometry& link, std::string& why);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -9,7 +9,7 @@
 #include "robot/collision/links/geometry_cache.h"
 #include "common/math/index.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -203,4 +203,4 @@ std::vector<Ball> inner_balls(const LinkGeometry& g, int balls, int points) {
   return chosen;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

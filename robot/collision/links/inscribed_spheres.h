@@ -10,7 +10,7 @@
 
 #include "robot/collision/links/link_geometry.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 // At most `balls` balls and `points` points.  None of a mesh that is not closed, every edge used as
 // often one way as the other: its inside is not defined.  mesh, hull and clusters of `link` are read.
@@ -22,4 +22,4 @@ bool are_inside(const LinkGeometry& link, const std::vector<Ball>& balls);
 // How often the mesh is wound around the point: 0 outside, +-1 inside, of an open mesh between.
 double winding_number(const TriangleMesh& mesh, const Eigen::Vector3d& point);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -12,7 +12,7 @@
 #include "geometry/bounds/shape_mesh.h"
 #include "geometry/bounds/triangle_clusters.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 namespace {
 
@@ -123,4 +123,4 @@ RobotGeometry build_geometry(const Model& model) {
   return robot;
 }
 
-}  // namespace twinbus
+}  // namespace twinbus::robot

@@ -18,7 +18,7 @@
 #include "geometry/shapes.h"
 #include "robot/description/model.h"
 
-namespace twinbus {
+namespace twinbus::inline robot {
 
 struct LinkGeometry {
   int link = 0;
@@ -48,4 +48,4 @@ LinkGeometry link_geometry(const std::vector<Shape>& shapes);
 // Throws std::runtime_error naming the first bound that does not hold all triangles.
 void verify(const LinkGeometry& geometry);
 
-}  // namespace twinbus
+}  // namespace twinbus::robot
