@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The structure of the tree: arrows between folders, one of everything, third-party headers outside their one door, sizes
+"""The structure of the tree: arrows between folders, a namespace per room, one of everything, third-party headers outside their one door, sizes
 of files and folders, pages that are cited, and traces of one machine.
 
     arrows_test.py            checks the tree this file is in
@@ -50,6 +50,9 @@ INCLUDE = re.compile(r'^\s*#\s*(?:include|define TWINBUS_KERNEL_FILE)\s+([<"])([
 CODE = {".h", ".cpp", ".c", ".cc", ".hpp", ".inl"}
 TEXT = CODE | {".py", ".sh", ".yaml", ".yml", ".txt", ".md", ".cmake", ".json", ".lcm", ".java", ".urdf", ".srdf", ".nft", ""}
 TYPE = re.compile(r"^(?:class|struct|enum class)\s+(?:alignas\([^)]*\)\s+)?([A-Z]\w*)(?:\s+final)?\s*(?::[^:][^{;]*)?\{", re.MULTILINE)
+# What is opened, up to what closes it; a block that only declares may be of another room.
+NAMESPACE = re.compile(r"^(?:inline )?namespace (twinbus\S*(?: \w+)?(?:::\w+)*) \{\n(.*?)^\}", re.MULTILINE | re.DOTALL)
+DECLARES = re.compile(r"(\s|//[^\n]*\n|template <[^>\n]*>\n|(class|struct|enum class) \w+( : [\w:]+)?;)*")
 PAGE = re.compile(r"(?<![\w/.-])((?:[A-Za-z0-9_-]+/)*[A-Za-z0-9_-]+\.md)\b")
 
 STARTED = re.compile(r"test/bench/(bench|chart)_\w+\.py")  # by ./twinbus bench and chart
@@ -127,6 +130,24 @@ def check_arrows(code, problems, arrows):
             problems.append(f"{folder.split('/')[0]}/CMakeLists.txt: twinbus_folder({folder} names {other}, which no file there includes: "
                             "take it out")
     circles(arrows, problems)
+
+
+def check_namespaces(code, problems):
+    """What a room of the product defines is in its namespace, which is inline: twinbus::World is twinbus::sim::World.  Kernels,
+    which are included inside a namespace, have no #pragma once."""
+    for file, text in code.items():
+        room = file.split("/")[0]
+        if room not in ROOMS or room == "python" or os.path.splitext(file)[1] == ".c":
+            continue
+        own = f"twinbus::inline {room}"
+        blocks = NAMESPACE.findall(text)
+        for name, inside in blocks:
+            if name != own and not name.startswith(own + "::") and not DECLARES.fullmatch(inside):
+                problems.append(f"{file}: defines something in namespace {name}: open it with `namespace {own} {{`")
+        opened = any(name == own or name.startswith(own + "::") for name, _ in blocks)
+        if not opened and re.search(r"^(class|struct|enum class|namespace) [^;\n]*\{$", text, re.MULTILINE):
+            if not MAIN.search(file) and (file.endswith(".cpp") or re.search(r"^#pragma once", text, re.MULTILINE)):
+                problems.append(f"{file}: defines something outside the namespace of its room: put it into `namespace {own} {{`")
 
 
 def check_types(code, problems):
@@ -209,6 +230,7 @@ def check(root):
                     problems.append(f"{file}:{number}: a path of one machine: {MACHINE.search(line).group(0)}")
     code = {f: t for f, t in texts.items() if os.path.splitext(f)[1] in CODE}
     check_arrows(code, problems, declared(files, lambda f: texts.get(f, "")))
+    check_namespaces(code, problems)
     check_types(code, problems)
     check_users(code, problems)
     check_sizes(files, code, problems)
