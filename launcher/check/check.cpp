@@ -26,7 +26,7 @@
 #include "robot/description/load.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
-#include "robot/onboarding/model_lint.h"
+#include "robot/lint/model_lint.h"
 #include "robot/onboarding/proposal.h"
 
 namespace twinbus::inline launcher {

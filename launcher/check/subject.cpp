@@ -11,8 +11,8 @@
 #include "robot/mjcf/mjcf_document.h"
 #include "robot/mjcf/mjcf_to_urdf.h"
 #include "robot/onboarding/base_turn.h"
-#include "robot/onboarding/mend.h"
-#include "robot/onboarding/mesh_axis.h"
+#include "robot/lint/mend.h"
+#include "robot/lint/mesh_axis.h"
 
 namespace twinbus::inline launcher {
 

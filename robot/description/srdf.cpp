@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "common/text/xml.h"
-#include "robot/description/known_names.h"
+#include "robot/names/known_names.h"
 
 namespace twinbus::inline robot {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 
-#include "robot/description/transmission.h"
+#include "robot/names/transmission.h"
 
 namespace twinbus::inline robot {
 

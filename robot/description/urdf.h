@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "common/text/xml.h"
-#include "robot/description/asset_path.h"
+#include "robot/names/asset_path.h"
 #include "robot/description/model.h"
 
 namespace twinbus::inline robot {

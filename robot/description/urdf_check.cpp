@@ -9,7 +9,7 @@
 
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
-#include "robot/description/known_names.h"
+#include "robot/names/known_names.h"
 #include "robot/description/urdf.h"
 
 namespace twinbus::inline robot {

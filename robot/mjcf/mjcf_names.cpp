@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "robot/description/known_names.h"
+#include "robot/names/known_names.h"
 
 namespace twinbus::inline robot {
 

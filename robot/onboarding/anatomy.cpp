@@ -462,19 +462,6 @@ class Finder {
 
 }  // namespace
 
-Eigen::VectorXd neutral_posture(const Model& model) {
-  Eigen::VectorXd q(model.joint_count());
-  for (int j = 0; j < model.joint_count(); ++j) {
-    const Joint& joint = model.joints[at(j)];
-    q[j] = std::clamp(0.0, joint.lower, joint.upper);
-  }
-  for (int j = 0; j < model.joint_count(); ++j) {
-    const Joint& joint = model.joints[at(j)];
-    if (joint.mimic >= 0) q[j] = joint.mimic_multiplier * q[joint.mimic] + joint.mimic_offset;
-  }
-  return q;
-}
-
 Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet,
                      const Eigen::Matrix3d& turn) {
   return Finder(model, feet, turn).find();

@@ -205,8 +205,7 @@ class Writer {
   }
 
   static Eigen::VectorXd to_vector(const NamedPose& pose) {
-    return Eigen::Map<const Eigen::VectorXd>(pose.q.data(),
-                                             static_cast<Eigen::Index>(pose.q.size()));
+    return Eigen::Map<const Eigen::VectorXd>(pose.q.data(), static_cast<Eigen::Index>(pose.q.size()));
   }
 
   bool has_rotor(int joint) const {
@@ -403,8 +402,7 @@ class Writer {
       moment += model_.links[at(i)].mass * kGravity * arm;
       inertia += model_.links[at(i)].mass * arm * arm + (slides ? 0.0 : model_.links[at(i)].inertia.trace() / 3.0);
     }
-    const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) !=
-                     anatomy_.leg_joints.end();
+    const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) != anatomy_.leg_joints.end();
     const double stuck = slides ? kStuckSliding : kStuck;
     const double against_gears = std::min(kGears * joint.effort / stuck, kFastest * kFastest * inertia);
     const double against_load = slides ? moment / kSag : kArmStiffness * moment;

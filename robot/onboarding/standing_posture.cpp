@@ -1,4 +1,4 @@
-// Bends the legs of a robot that is known by its soles only, until it stands over them.
+// The posture nearest to zero; and legs of a robot that is known by its soles only, bent until it stands over them.
 
 #include <algorithm>
 #include <array>
@@ -79,6 +79,19 @@ bool put(const Model& model, std::vector<InverseKinematics>& legs,
 }
 
 }  // namespace
+
+Eigen::VectorXd neutral_posture(const Model& model) {
+  Eigen::VectorXd q(model.joint_count());
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[at(j)];
+    q[j] = std::clamp(0.0, joint.lower, joint.upper);
+  }
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[at(j)];
+    if (joint.mimic >= 0) q[j] = joint.mimic_multiplier * q[joint.mimic] + joint.mimic_offset;
+  }
+  return q;
+}
 
 bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
   if (model.soles[0].link <= 0 || model.soles[1].link <= 0) return false;

@@ -73,9 +73,7 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
   }
   body_.place(configuration_);
   for (int side = 0; side < 2; ++side) {
-    for (int corner = 0; corner < kSoleCorners; ++corner) {
-      ground_.set_corner_offset(side, corner, 0.0);
-    }
+    for (int corner = 0; corner < kSoleCorners; ++corner) ground_.set_corner_offset(side, corner, 0.0);
   }
   ground_.forget();
   estimate_contact_forces();

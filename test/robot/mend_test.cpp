@@ -1,13 +1,13 @@
 // What `check --mend` puts right in a URDF, and that it leaves alone what is right.
 
-#include "robot/onboarding/mend.h"
+#include "robot/lint/mend.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
 
 #include "robot/description/load.h"
-#include "robot/onboarding/model_lint.h"
+#include "robot/lint/model_lint.h"
 
 namespace twinbus {
 namespace {

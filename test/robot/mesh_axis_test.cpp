@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot/onboarding/mesh_axis.h"
+#include "robot/lint/mesh_axis.h"
 
 namespace twinbus {
 namespace {

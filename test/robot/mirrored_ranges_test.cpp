@@ -1,6 +1,6 @@
 // Ranges that were mirrored as if an axis pointed the other way: found, and put right in legs.
 
-#include "robot/onboarding/mirrored_ranges.h"
+#include "robot/lint/mirrored_ranges.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "robot/description/load.h"
 #include "robot/onboarding/anatomy.h"
-#include "robot/onboarding/mend.h"
+#include "robot/lint/mend.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "robot/onboarding/model_lint.h"
+#include "robot/lint/model_lint.h"
 
 #include <functional>
 #include <string>

@@ -6,9 +6,9 @@
 #include "robot/onboarding/base_turn.h"
 #include "robot/onboarding/known_srdf.h"
 #include "robot/description/shape_inertia.h"
-#include "robot/onboarding/model_lint.h"
+#include "robot/lint/model_lint.h"
 #include "robot/onboarding/rest_pairs.h"
-#include "robot/description/asset_path.h"
+#include "robot/names/asset_path.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 

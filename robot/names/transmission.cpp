@@ -1,4 +1,4 @@
-#include "robot/description/transmission.h"
+#include "robot/names/transmission.h"
 
 #include <cmath>
 

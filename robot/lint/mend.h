@@ -25,7 +25,7 @@ std::string mend_urdf(const std::string& text, const std::string& file, std::vec
 // Left and right exchanged in the names of links and joints, where the feet point forward and the left one is on the right.
 std::string mend_sides(const std::string& text, const std::string& file, const Model& model, std::vector<std::string>& changes);
 
-// Ranges of legs that are no mirror images of each other though the joints are (robot/onboarding/mirrored_ranges.h): the one that
+// Ranges of legs that are no mirror images of each other though the joints are (robot/lint/mirrored_ranges.h): the one that
 // legs need less is replaced.
 std::string mend_images(const std::string& text, const std::string& file, const Model& model, std::vector<std::string>& changes);
 

@@ -1,4 +1,4 @@
-#include "robot/onboarding/model_lint.h"
+#include "robot/lint/model_lint.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "common/text/formatted.h"
 #include "robot/estimation/point_legs.h"
 #include "robot/onboarding/anatomy.h"
-#include "robot/onboarding/mend.h"
-#include "robot/onboarding/mirrored_ranges.h"
+#include "robot/lint/mend.h"
+#include "robot/lint/mirrored_ranges.h"
 #include "robot/description/link_points.h"
 #include "geometry/mesh/mesh_file.h"
 

@@ -1,4 +1,4 @@
-#include "robot/onboarding/mesh_axis.h"
+#include "robot/lint/mesh_axis.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "robot/onboarding/mend.h"
+#include "robot/lint/mend.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "common/text/xml.h"
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/base_turn.h"
-#include "robot/onboarding/mirrored_ranges.h"
+#include "robot/lint/mirrored_ranges.h"
 #include "robot/description/link_points.h"
 
 namespace twinbus::inline robot {

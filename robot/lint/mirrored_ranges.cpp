@@ -1,4 +1,4 @@
-#include "robot/onboarding/mirrored_ranges.h"
+#include "robot/lint/mirrored_ranges.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "robot/description/known_names.h"
+#include "robot/names/known_names.h"
 
 #include <algorithm>
 #include <map>

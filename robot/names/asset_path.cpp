@@ -1,4 +1,4 @@
-#include "robot/description/asset_path.h"
+#include "robot/names/asset_path.h"
 
 #include <filesystem>
 #include <stdexcept>
