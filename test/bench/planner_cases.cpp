@@ -76,7 +76,9 @@ ArmGoal goal_of(const Model& model, const std::vector<int>& planned, const Searc
 int as_process(const std::string& robots, const std::string& file, int rounds) {
   const ProblemFile asked = read_problems(file);
   auto [model, parts, planned] = robot_of(asked, robots, false);
-  model.hands[0] = {.link = model.joints[at(planned.back())].child, .joints = planned};
+  model.hands[0] = {};
+  model.hands[0].link = model.joints[at(planned.back())].child;
+  model.hands[0].joints = planned;
   std::set<std::array<int, 2>> kept;
   for (const auto& [a, b] : parts.pairs) {
     const int of[2] = {parts.groups[at(a)].link, parts.groups[at(b)].link};

@@ -13,7 +13,7 @@
 namespace twinbus {
 namespace {
 
-const Eigen::Isometry3d kGround = Eigen::Isometry3d::Identity();
+const Eigen::Isometry3d kGroundFrame = Eigen::Isometry3d::Identity();
 constexpr double kArm = 0.3 + 0.25 + 0.06;  // from the shoulder to the middle of the hand [m]
 
 std::vector<std::string> names(const Model& model, const std::vector<int>& joints) {
@@ -36,7 +36,7 @@ struct CarriedArm : testing::Test {
   ArmPlan to(double x, double y, double z) {
     ArmPlanner planner(model);
     planner.set_obstacles(around);
-    const ArmPlan plan = planner.plan(hand_to(ArmSide::kRight, x, y, z), start, kGround, 3);
+    const ArmPlan plan = planner.plan(hand_to(ArmSide::kRight, x, y, z), start, kGroundFrame, 3);
     if (plan.status == ArmPathStatus::kOk) {
       EXPECT_LT((right_hand(model, posture_at(plan, start, plan.duration())) - Eigen::Vector3d(x, y, z)).norm(), 1e-3);
       EXPECT_TRUE(planner.path_free(plan, start, 0.5 * plan.clearance));
@@ -113,7 +113,7 @@ TEST(NamedArm, EachOfThreeReaches) {
   const std::array<Eigen::Vector3d, 3> places{Eigen::Vector3d(0.45, 0.1, 0.85), Eigen::Vector3d(0.1, 0.45, 0.85), Eigen::Vector3d(-0.45, 0.1, 0.85)};
   for (const int i : {0, 1, 2}) {
     const Eigen::Vector3d& to = places[at(i)];
-    const ArmPlan plan = planner.plan(hand_to(static_cast<ArmSide>(3 + i), to.x(), to.y(), to.z()), start, kGround, 3);
+    const ArmPlan plan = planner.plan(hand_to(static_cast<ArmSide>(3 + i), to.x(), to.y(), to.z()), start, kGroundFrame, 3);
     ASSERT_EQ(plan.status, ArmPathStatus::kOk) << three.more_hands[at(i)].name << ": " << describe(plan);
     EXPECT_EQ(plan.joints, three.more_hands[at(i)].joints);
     Kinematics k(three);
@@ -122,9 +122,9 @@ TEST(NamedArm, EachOfThreeReaches) {
     EXPECT_LT((k.link_in_world(hand.link) * hand.frame.translation() - to).norm(), 1e-3);
   }
   // What says right means the first of them; a number that none has is refused.
-  const ArmPlan right = planner.plan(hand_to(ArmSide::kRight, 0.45, 0.1, 0.85), start, kGround, 3);
+  const ArmPlan right = planner.plan(hand_to(ArmSide::kRight, 0.45, 0.1, 0.85), start, kGroundFrame, 3);
   EXPECT_EQ(right.joints, three.more_hands[0].joints);
-  const ArmPlan none = planner.plan(hand_to(ArmSide::kSixth, 0.45, 0.1, 0.85), start, kGround, 3);
+  const ArmPlan none = planner.plan(hand_to(ArmSide::kSixth, 0.45, 0.1, 0.85), start, kGroundFrame, 3);
   EXPECT_EQ(none.status, ArmPathStatus::kBadGoal);
   EXPECT_EQ(none.complaint, "the robot has no such hand");
 }

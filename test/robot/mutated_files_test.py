@@ -130,7 +130,7 @@ def main():
     files = urdfs + sorted((ROOT / "config/robots").glob("*/*.srdf"))
     texts = {f: f.read_bytes() for f in files}
     # A name that URDF or SRDF have anywhere is no misspelling, though it may stand where it says nothing.
-    known = set(re.findall(r"\"([A-Za-z_]\w*)\"", (ROOT / "robot/description/known_names.cpp").read_text()))
+    known = set(re.findall(r"\"([A-Za-z_]\w*)\"", (ROOT / "robot/names/known_names.cpp").read_text()))
     failures = []
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)

@@ -15,7 +15,9 @@ import sys
 ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher"]
 SKIPPED = 77
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# Called by nothing of the product, and kept: functions (without twinbus::) by what uses them.
+# twinbus::sim::World, as it is called here: World.
+ROOM = re.compile(r"\btwinbus::(?:" + "|".join(ROOMS) + ")::")
+# Called by nothing of the product, and kept: functions (without twinbus:: and room) by what uses them.
 KEPT = {
     "tests and benches ask the product with them what the programs ask in other ways": """
         ArmPlanner::path_free ArticulatedWorld::resume BlockCheck::settle_by_pieces BlockCheck::settle_touching BlockScene::add_capsule
@@ -65,7 +67,7 @@ def without_caller(objects):
     names = sorted(defined)
     plain = dict(zip(names, lines("c++filt", stdin="\n".join(names) + "\n")))
     called = set(lines("c++filt", stdin="\n".join(sorted(used)) + "\n"))
-    found = {plain[n]: defined[n] for n in names if OURS.match(plain[n]) and plain[n] not in called}
+    found = {ROOM.sub("twinbus::", plain[n]): defined[n] for n in names if OURS.match(plain[n]) and plain[n] not in called}
     return sorted((function, file) for function, file in found.items() if function.split("(")[0] not in KEPT_NAMES and not KEPT_OVERLOADS.match(function))
 
 
