@@ -23,6 +23,12 @@ const std::string* XmlElement::attribute(const std::string& key) const {
   return nullptr;
 }
 
+std::string attribute_of(const XmlElement& element, const std::string& child, const std::string& key) {
+  const XmlElement* found = element.child(child);
+  const std::string* value = found == nullptr ? nullptr : found->attribute(key);
+  return value == nullptr ? std::string() : *value;
+}
+
 const XmlElement* XmlElement::child(const std::string& key) const {
   for (const XmlElement& element : children) {
     if (element.name == key) return &element;

@@ -28,6 +28,9 @@ inline constexpr std::size_t kMaxXmlDepth = 64;
 // Throws std::runtime_error: "file:line: message", one line without control characters.
 [[noreturn]] void fail_at(const std::string& file, int line, const std::string& message);
 
+// An attribute of its first child of that name; empty: it has none.
+std::string attribute_of(const XmlElement& element, const std::string& child, const std::string& key);
+
 // The whole file.  Throws if it is missing, not a plain file, empty, larger than kMaxTextFile or
 // has a NUL byte.
 std::string read_text_file(const std::string& path);

@@ -52,10 +52,7 @@ struct Extent {
 };
 
 Extent measure(const Model& model) {
-  Configuration c(model);
-  c.q = neutral_posture(model);
-  Kinematics k(model);
-  k.update(c);
+  const Kinematics k = at_rest(model);
   Extent extent;
   Eigen::AlignedBox3d box;
   for (int i = 0; i < model.link_count(); ++i) {

@@ -53,11 +53,10 @@ std::string with_plane_joints(const std::string& text, const std::string& file, 
     if (name == nullptr || (part.name != "link" && part.name != "joint")) continue;
     const auto is_one_of = [&](const auto& ours) { return std::find(std::begin(ours), std::end(ours), *name) != std::end(ours); };
     if (*name == kGround || is_one_of(kCarriages) || is_one_of(kPlaneJoints)) taken.push_back(&part);
-    const XmlElement* child = part.child("child");
-    const std::string* moved = child == nullptr ? nullptr : child->attribute("link");
+    const std::string moved = attribute_of(part, "child", "link");
     if (part.name == "link") links.insert(*name);
     if (part.name == "link") mass += mass_of(part);
-    if (part.name == "joint" && moved != nullptr) children.insert(*moved);
+    if (part.name == "joint" && !moved.empty()) children.insert(moved);
   }
   std::vector<std::string> roots;
   std::set_difference(links.begin(), links.end(), children.begin(), children.end(), std::back_inserter(roots));

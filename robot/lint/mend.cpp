@@ -330,15 +330,11 @@ void rename(XmlElement& element, const std::map<std::string, std::string>& names
 // The link and those that are fixed to it.
 std::vector<std::string> fixed_to(const XmlElement& robot, const std::string& link) {
   std::vector<std::string> parts{link};
-  const auto end = [](const XmlElement& joint, const char* role) {
-    const XmlElement* element = joint.child(role);
-    const std::string* name = element == nullptr ? nullptr : element->attribute("link");
-    return name == nullptr ? std::string() : *name;
-  };
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (const XmlElement& joint : robot.children) {
       const std::string* type = joint.name == "joint" ? joint.attribute("type") : nullptr;
-      if (type != nullptr && *type == "fixed" && end(joint, "parent") == parts[i]) parts.push_back(end(joint, "child"));
+      if (type != nullptr && *type == "fixed" && attribute_of(joint, "parent", "link") == parts[i])
+        parts.push_back(attribute_of(joint, "child", "link"));
     }
   }
   return parts;
@@ -352,9 +348,10 @@ std::string written(const XmlElement& robot) {
 
 }  // namespace
 
+double shell_radius(double moment, double mass) noexcept { return mass > 0.0 ? std::sqrt(1.5 * moment / mass) : 0.0; }
+
 double shell_radius(const Link& link) {
-  if (!(link.mass > 0.0)) return 0.0;
-  return std::sqrt(1.5 * Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertia).eigenvalues()[2] / link.mass);
+  return shell_radius(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertia).eigenvalues()[2], link.mass);
 }
 
 std::vector<std::string> names_on_other_side(const std::string& name) {
@@ -461,10 +458,10 @@ std::string mend_far_inertias(const std::string& text, const std::string& file, 
       for (const char* key : {"ixx", "iyy", "izz"}) {
         if (inertia != nullptr && read(*inertia, key, moment)) most = std::max(most, moment);
       }
-      if (mass == nullptr || !read(*mass, "value", weighs) || !(std::sqrt(1.5 * most / weighs) > kFarShell * reach)) continue;
+      if (mass == nullptr || !read(*mass, "value", weighs) || !(shell_radius(most, weighs) > kFarShell * reach)) continue;
       for (const char* key : kMoments) write(*inertia, key, "0");
       changes.push_back("link " + name_of(element) + ": its inertia is that of a shell of radius " +
-                        number(std::sqrt(1.5 * most / weighs)) + " m, and its geometry ends at " + number(reach) +
+                        number(shell_radius(most, weighs)) + " m, and its geometry ends at " + number(reach) +
                         " m: that of a box around its geometry is taken, or, where it is fixed to another, of a point of its mass");
     }
   }

@@ -36,6 +36,7 @@ std::string mend_far_inertias(const std::string& text, const std::string& file, 
 
 // A body within a ball of radius r about its centre of mass has moments of at most 2/3 m r^2: the r of the largest one [m].
 double shell_radius(const Link& link);
+double shell_radius(double moment, double mass) noexcept;  // [kg m^2], [kg]
 
 // What the same part is called on the other side, as far as names tell; several guesses or none.
 std::vector<std::string> names_on_other_side(const std::string& name);

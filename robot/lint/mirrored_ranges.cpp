@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/math/index.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/rest_pairs.h"
@@ -40,24 +41,16 @@ double way_that_counts(const Joint& joint, const Eigen::Vector3d& axis, bool on_
 
 std::vector<UnmirroredRange> unmirrored_ranges(const Model& model, const std::vector<int>& legs) {
   std::vector<UnmirroredRange> found;
-  Configuration c(model);
-  c.q = neutral_posture(model);
-  Kinematics k(model);
-  k.update(c);
+  const Kinematics k = at_rest(model);
   const std::vector<int> images = mirror_images(model);
   const auto is_of_leg = [&](int joint) { return std::find(legs.begin(), legs.end(), joint) != legs.end(); };
   const auto turns_about_y = [&](int link) { return is_of_leg(link - 1) && std::abs(k.axis_in_world(link - 1).y()) > 0.7; };
-  const auto hangs_below = [&](int link, int high) {
-    for (link = model.links[at(link)].parent; link > 0; link = model.links[at(link)].parent) {
-      if (link == high) return true;
-    }
-    return false;
-  };
   const auto is_in_middle = [&](int link) {
     bool above = false, below = false;
     for (const int j : legs) {
-      above = above || (turns_about_y(j + 1) && hangs_below(link, j + 1));
-      below = below || (turns_about_y(j + 1) && hangs_below(j + 1, link));
+      if (j + 1 == link || !turns_about_y(j + 1)) continue;
+      above = above || hangs_on(model, link, j + 1);
+      below = below || hangs_on(model, j + 1, link);
     }
     return above && below;
   };

@@ -14,6 +14,7 @@
 
 #include "robot/description/model.h"
 #include "robot/description/srdf.h"
+#include "robot/kinematics/kinematics.h"
 
 namespace twinbus::inline robot {
 
@@ -41,6 +42,8 @@ std::vector<std::string> joints_above_legs(const Model& model);
 
 // The posture nearest to zero within the limits [joint_count].
 Eigen::VectorXd neutral_posture(const Model& model);
+// Where its links are then, the base at the origin.
+Kinematics at_rest(const Model& model);
 
 // A posture to stand in: soles flat, knees a little bent, the centre of mass above the middle of the
 // soles; all other joints as they are in q, or as in neutral_posture when it is empty.  Needs model.soles; false when

@@ -131,11 +131,6 @@ std::string with_root_above(const std::string& urdf_text, const std::string& roo
 
 std::string without_floating_root(const std::string& urdf_text, const std::string& file, std::string& left_out) {
   XmlElement robot = parse_xml(urdf_text, file);
-  const auto named = [](const XmlElement& joint, const char* role) {
-    const XmlElement* end = joint.child(role);
-    const std::string* link = end == nullptr ? nullptr : end->attribute("link");
-    return link == nullptr ? std::string() : *link;
-  };
   const auto is_joint = [](const XmlElement& part) { return part.name == "joint" && part.attribute("name") != nullptr; };
   const auto floats = [&](const XmlElement& part) {
     const std::string* type = is_joint(part) ? part.attribute("type") : nullptr;
@@ -143,9 +138,9 @@ std::string without_floating_root(const std::string& urdf_text, const std::strin
   };
   const auto joint = std::find_if(robot.children.begin(), robot.children.end(), floats);
   if (joint == robot.children.end()) return urdf_text;
-  const std::string name = *joint->attribute("name"), root = named(*joint, "parent");
+  const std::string name = *joint->attribute("name"), root = attribute_of(*joint, "parent", "link");
   const bool alone = std::none_of(robot.children.begin(), robot.children.end(), [&](const XmlElement& part) {
-    if (is_joint(part)) return named(part, "child") == root || (&part != &*joint && named(part, "parent") == root);
+    if (is_joint(part)) return attribute_of(part, "child", "link") == root || (&part != &*joint && attribute_of(part, "parent", "link") == root);
     const std::string* its = part.name == "link" ? part.attribute("name") : nullptr;
     return its != nullptr && *its == root && (part.child("inertial") != nullptr || part.child("collision") != nullptr);
   });

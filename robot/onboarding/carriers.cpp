@@ -18,14 +18,6 @@ namespace {
 constexpr double kUpright = 0.9;      // cosine
 constexpr double kAboveGround = 0.002;  // of wheels that do not roll [m]
 
-Kinematics at_rest(const Model& model) {
-  Configuration c(model);
-  c.q = neutral_posture(model);
-  Kinematics k(model);
-  k.update(c);
-  return k;
-}
-
 }  // namespace
 
 std::string carried_by_yaml(const Model& model, const Anatomy& anatomy, const Hand& hand) {

@@ -76,10 +76,7 @@ void each_near(const Model& model, Collision& collision, const std::vector<Eigen
 }  // namespace
 
 std::vector<int> mirror_images(const Model& model) {
-  Configuration c(model);
-  c.q = neutral_posture(model);
-  Kinematics k(model);
-  k.update(c);
+  const Kinematics k = at_rest(model);
   std::vector<int> images(model.links.size(), -1);
   for (int a = 0; a < model.link_count(); ++a) {
     const Eigen::Vector3d com = k.com_of_link(a);

@@ -93,6 +93,14 @@ Eigen::VectorXd neutral_posture(const Model& model) {
   return q;
 }
 
+Kinematics at_rest(const Model& model) {
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  Kinematics k(model);
+  k.update(c);
+  return k;
+}
+
 bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
   if (model.soles[0].link <= 0 || model.soles[1].link <= 0) return false;
   Configuration c(model);

@@ -39,6 +39,7 @@ PLANTED = [
     ("robot/model/h.cpp", '#include "test/tools/x.h"\n', "the product needs no test"),
     ("robot/h_main.cpp", '#include "test/tools/x.h"\n', "the product needs no test"),
     ("robot/model/i.h", "#pragma once\nnamespace twinbus::inline robot {\nstruct Model {\n};\n}\n", "Model is defined in"),
+    ("sim/engine/r.h", "#pragma once\nnamespace twinbus::inline sim {\nstruct Model {\n};\n}\n", "twinbus::Model would be ambiguous"),
     ("robot/model/o.cpp", "namespace twinbus {\nint o() { return 1; }\n}\n", "open it with `namespace twinbus::inline robot {`"),
     ("robot/model/p.cpp", "namespace twinbus::inline sim {\nint p() { return 1; }\n}\n", "open it with `namespace twinbus::inline robot {`"),
     ("robot/model/q.cpp", "struct Q {\n};\n", "put it into `namespace twinbus::inline robot {`"),

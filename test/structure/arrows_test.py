@@ -151,16 +151,19 @@ def check_namespaces(code, problems):
 
 
 def check_types(code, problems):
-    """One definition of every type name in a room (kernels that are compiled once per instruction set apart)."""
+    """One definition of every type name (kernels that are compiled once per instruction set apart): rooms are inline namespaces, and
+    of two rooms' types of one name twinbus::NAME says neither."""
     seen = {}
     for file, text in code.items():
         room = file.split("/")[0]
         if room not in ROOMS or not file.endswith(".h") or "#pragma once" not in text:
             continue
         for name in TYPE.findall(text):
-            first = seen.setdefault((room, name), file)
-            if first != file:
+            first = seen.setdefault(name, file)
+            if first != file and first.split("/")[0] == room:
                 problems.append(f"{file}: {name} is defined in {first} too: one program that links both is broken; rename one")
+            elif first != file:
+                problems.append(f"{file}: {name} is defined in {first} too, of another room: twinbus::{name} would be ambiguous; rename one")
 
 
 def check_users(code, problems):
