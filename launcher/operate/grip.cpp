@@ -42,7 +42,7 @@ Grippers grippers_asked_for(const Arguments& arguments, const Model& model) {
     if (!gripper.joints.empty()) meant.push_back(gripper);
   }
   if (meant.empty())
-    throw std::runtime_error(model.name + " has no " + (side.empty() ? "" : side + " ") + "gripper (robot.yaml, grippers)");
+    throw std::runtime_error(model.name + " has no " + (side.empty() ? "" : side + " ") + "gripper (robot.yaml, grippers); --robot names another robot");
   return meant;
 }
 
