@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 LEFT_OUT = re.compile(r"_lanes\.h$|/self_collision_[^/]*$")  # EXCLUDE_PATTERNS of doc/Doxyfile
 ROOMS = re.search(r"^ +(common .*)$", (ROOT / "doc/Doxyfile").read_text(), re.MULTILINE).group(1).split()
 # A class, and a sentence of its header that its page is to have: a plain comment that doc/doxygen.sed made one of Doxygen's.
-SENTENCES = {"classtwinbus_1_1Collision": "Stops at the first hit and says which.", "structtwinbus_1_1Joint": "reflected through the gear"}
+SENTENCES = {"classtwinbus_1_1robot_1_1Collision": "Stops at the first hit and says which.", "structtwinbus_1_1robot_1_1Joint": "reflected through the gear"}
 
 
 def words_of(file):
