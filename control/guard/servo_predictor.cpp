@@ -7,6 +7,7 @@
 #include "robot/kinematics/brake.h"
 #include "common/math/index.h"
 #include "common/math/quintic_fade.h"
+#include "robot/dynamics/joint_friction.h"
 
 namespace twinbus::inline control {
 
@@ -186,7 +187,9 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     s.speed = s.client_speed + fading;
     s.qd = static_cast<double>(command.qd[i]) + fading;
     s.qd = std::clamp(s.qd, -s.most_speed, s.most_speed);
-    s.tau = std::clamp(static_cast<double>(command.tau[i]), -s.effort, s.effort);
+    // What overcomes friction moves nothing.
+    const double tau = static_cast<double>(command.tau[i]) - coulomb_torque(*s.of, static_cast<double>(command.qd[i]));
+    s.tau = std::clamp(tau, -s.effort, s.effort);
     s.kp = std::clamp(static_cast<double>(command.kp[i]) + fade.h0 * s.from_kp, 0.0, most_kp(*s.of));
     s.kd = std::clamp(static_cast<double>(command.kd[i]) + fade.h0 * s.from_kd, 0.0, most_kd(*s.of));
     const double before = s.q;

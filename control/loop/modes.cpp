@@ -4,6 +4,7 @@
 
 #include "common/math/index.h"
 #include "robot/description/walking_config.h"
+#include "robot/dynamics/joint_friction.h"
 
 namespace twinbus::inline control {
 
@@ -388,6 +389,11 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     set_point.tau[at(k)] = tau[model_.bus_joints[at(k)]];
   }
   for (int k = 0; k < n && active_ != nullptr; ++k) set_legs(k, set_point);
+  const std::int64_t unplanned = measured();
+  for (int k = 0; k < n; ++k) {
+    const Joint& joint = model_.joints[at(model_.bus_joints[at(k)])];
+    if (((unplanned >> k) & 1) == 0) set_point.tau[at(k)] += friction_torque(joint, set_point.qd[at(k)]);
+  }
 }
 
 }  // namespace twinbus::control

@@ -8,6 +8,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 #include "common/math/quintic_fade.h"
+#include "robot/dynamics/joint_friction.h"
 
 namespace twinbus::inline control {
 
@@ -90,8 +91,7 @@ void PointFeet::start(const Estimator& estimator) noexcept {
   fresh_ = true;
   measure(estimator, 0.0);
   walks_ = halts_ = false;
-  wanted_.setZero();
-  velocity_wanted_.setZero();
+  velocity_wanted_ = wanted_ = Eigen::Vector3d::Zero();
   gait_.rest();
   lifts_ = -1;
   trim_.setZero();
@@ -415,8 +415,8 @@ void PointFeet::push(const Estimator& estimator) noexcept {
     wrench_[i].force = forces_[i];
   }
   qdd_.setZero();
-  (void)dynamics_.solve(estimator.kinematics(), estimator.configuration(), qdd_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                        wrench_, tau_);
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  (void)dynamics_.solve(estimator.kinematics(), estimator.configuration(), qdd_, none, none, wrench_, tau_);
 }
 
 // Set-points of a leg whose foot is to go a way, at a rate, both seen from the base, world axes.
@@ -488,6 +488,7 @@ void PointFeet::update(const Estimator& estimator, const Eigen::VectorXd&, doubl
   move_reference(dt);
   push(estimator);
   lead_legs(estimator, dt);
+  add_friction(*model_, qd_, tau_);
   look_for_nan();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/joint_friction.h"
 #include "robot/dynamics/joint_inertia.h"
 #include "robot/kinematics/brake.h"
 #include "test/control/hrp1s.h"
@@ -26,14 +27,14 @@ std::size_t bus(const std::string& name) {
 // A robot whose base stands and whose joints follow the equation of the header, in small explicit steps: the other way to
 // compute what the predictor says.
 struct Fixture {
-  const Model& model = test::hrp1s();
+  const Model& model;
   ServoPredictor servos;
   Configuration now{model};
   Kinematics kinematics{model};
   RobotState state;
   JointCommand command;
 
-  explicit Fixture(double lag = kLag) : servos(model, kDelayTicks, lag) {
+  explicit Fixture(double lag = kLag, const Model& robot = test::hrp1s()) : model(robot), servos(model, kDelayTicks, lag) {
     command.flags = kCommandNoFade;
     command.joint_count = state.joint_count = static_cast<std::int16_t>(model.bus_count());
     for (std::size_t k = 0; k < count(); ++k) {
@@ -169,6 +170,42 @@ TEST(ServoPredictor, FeedForwardAloneMovesAJoint) {
 }
 
 // A set-point as far as a policy puts it moves the joint by what its torque does until the brake, and no more.
+// Torque that the description's friction takes up moves nothing, and so foretells nothing: the course of a joint is that of one
+// without friction which is not driven against it.
+TEST(ServoPredictor, TorqueAgainstFrictionForetellsNoMotion) {
+  Model rubs = test::hrp1s();
+  for (Joint& joint : rubs.joints) joint.friction = 2.0;
+  Fixture f, g(kLag, rubs);
+  const std::size_t k = bus("LARM_ELBOW");
+  const auto torque = static_cast<float>(friction_torque(g.joint(k), 0.8));
+  EXPECT_NEAR(torque, 0.9 * 2.0, 1e-6);
+  for (Fixture* one : {&f, &g}) {
+    one->soften(k, 20.0F, 1.0F);
+    one->command.qd[k] = 0.8F;
+  }
+  g.command.tau[k] = torque;
+  for (int i = 0; i < 20; ++i) {
+    f.look();
+    g.look();
+  }
+  EXPECT_NEAR(g.servos.if_obeyed(k).rest(), f.servos.if_obeyed(k).rest(), 1e-6);
+  g.command.tau[k] = 0.0F;  // who does not drive against it is slower
+  g.look();
+  f.look();
+  EXPECT_LT(g.servos.if_obeyed(k).rest(), f.servos.if_obeyed(k).rest() - 1e-4);
+}
+
+TEST(JointFriction, IsOvercomeWithoutAJump) {
+  Joint joint;
+  EXPECT_EQ(friction_torque(joint, 1.0), 0.0) << "the file states none";
+  joint.friction = 2.0;
+  joint.damping = 0.5;
+  EXPECT_NEAR(friction_torque(joint, 1.0), kFrictionShare * 2.5, 1e-12);
+  EXPECT_NEAR(friction_torque(joint, -1.0), -kFrictionShare * 2.5, 1e-12);
+  EXPECT_EQ(friction_torque(joint, 0.0), 0.0);
+  EXPECT_NEAR(friction_torque(joint, 0.1 * kFrictionSpeed), 0.1 * friction_torque(joint, kFrictionSpeed), 1e-12);
+}
+
 TEST(ServoPredictor, AFarSetPointOfASoftJointIsNotTheWayOfTheJoint) {
   Fixture f;
   const std::size_t elbow = bus("LARM_ELBOW");
