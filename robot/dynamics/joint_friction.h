@@ -15,7 +15,7 @@
 namespace twinbus::inline robot {
 
 // Slower than this the friction is not reckoned in full, so that the torque has no jump where the joint turns round [rad/s], [m/s].
-inline constexpr double kFrictionSpeed = 0.1;
+inline constexpr double kFrictionSpeed = 0.05;
 // Of the friction that is stated.  More than there is would push the joint by itself.
 inline constexpr double kFrictionShare = 0.9;
 
