@@ -359,10 +359,12 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     TimingLimits timing;
     timing.velocity = timing.acceleration = timing.jerk = question.start;
     for (int k = 0; k < question.start.size(); ++k) {
-      timing.velocity[k] =
-          static_cast<double>(goal.speed) * model_->joints[at(plan.joints[at(k)])].velocity;
+      const Joint& joint = model_->joints[at(plan.joints[at(k)])];
+      timing.velocity[k] = static_cast<double>(goal.speed) * joint.velocity;
       timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
       timing.jerk[k] = timing.acceleration[k] / config_.full_push_time;
+      const double lasting = MotionEffort::lasting_speed(joint);
+      if (lasting > 0.0) timing.velocity[k] = std::min(timing.velocity[k], lasting);  // 0: that way is refused below
     }
     TimedPath first;
     if (!off.empty()) first = lift.timed(off, timing, config_.knot_spacing);

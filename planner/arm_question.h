@@ -42,7 +42,8 @@ void stay_near(const Model& model, const Configuration& start, const std::vector
 
 inline std::string too_heavy(const Model& model, const MotionEffort& effort, const char* where) {
   return std::string(where) + " joint " + model.joints[at(effort.weak_joint())].name +
-         " would need more than its effort limit to hold the arm";
+         (effort.rubs() ? " would need more than its effort limit to move the arm against its friction"
+                        : " would need more than its effort limit to hold the arm");
 }
 
 }  // namespace twinbus::planner

@@ -1,4 +1,4 @@
-// Lines along which every joint can hold the arm, for a search whose ways were too heavy.
+// Lines along which every joint can hold the arm, and move it against its own friction, for a search whose ways were too heavy.
 
 #pragma once
 
@@ -20,11 +20,12 @@ class HeldLines : public LineTest {
   bool free(const SearchPoint& from, const SearchPoint& step, float length) override {
     constexpr float kApart = 0.1F;  // [rad or m]
     const int parts = std::max(1, static_cast<int>(std::ceil(length / kApart)));
+    const JointPoint along = from_search(step, joints_);
     SearchPoint there = from;
     for (int i = 0; i <= parts; ++i) {
       const float share = static_cast<float>(i) / static_cast<float>(parts);
       for (std::size_t j = 0; j < there.size(); ++j) there[j] = from[j] + share * step[j];
-      if (!effort_->holds(from_search(there, joints_), share_)) return false;
+      if (!effort_->creeps(from_search(there, joints_), along, share_)) return false;
     }
     return lines_->free(from, step, length);
   }

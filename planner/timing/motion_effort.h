@@ -1,5 +1,9 @@
 // The efforts that a timed arm motion asks of its joints: inverse dynamics at its knots while
-// everything else of the robot stands still.
+// everything else of the robot stands still, and what the joints' own damping D and friction F take.
+//
+//     tau = g + a + D qd + F sign(qd),     f times slower:  g + F sign(qd) + D qd / f + a / f^2
+//
+// g: what holds the arm still, a: what else moves it (accelerations, centrifugal and Coriolis forces).
 
 #pragma once
 
@@ -20,16 +24,22 @@ class MotionEffort {
   MotionEffort(const Model& model, const Configuration& posture, const std::vector<int>& joints);
 
   // How many times slower the motion must be, at least 1, so that no joint of it is asked for more
-  // than its effort limit (and half a percent less, for what is between knots). What moves slower
-  // by f needs g + (tau - g) / f^2, g being what holds it still. 0: somewhere on the way a joint
-  // cannot even do that; see weak_joint.
+  // than its effort limit (and half a percent less, for what is between knots). 0: somewhere on the
+  // way a joint cannot even hold the arm, or creep against its friction; see weak_joint.
   double slower(const TimedPath& path);
 
   // Can every joint hold the arm there?  If not, weak_joint is the one that needs most of its limit.  share: of the limits that may
   // be used; a joint that has less left moves slowly.
   static constexpr double kAll = 0.995;  // at knots: between them the effort strays a little
   bool holds(const JointPoint& q, double share = kAll);
+  // And creep from there along step, forwards and backwards, against its friction?
+  bool creeps(const JointPoint& q, const JointPoint& step, double share = kAll);
 
+  // The speed at which damping and friction alone leave a joint a part of its effort limit, or its velocity limit where
+  // that is less [rad/s or m/s]; 0 if friction takes all.
+  static double lasting_speed(const Joint& joint);
+
+  bool rubs() const { return rubs_; }  // is it friction that is too much for weak_joint?
   int weak_joint() const { return weak_joint_; }  // model index
   double largest() const { return largest_; }     // |effort| / limit of the path last given
 
@@ -45,6 +55,7 @@ class MotionEffort {
   GravityLoad load_;
   Eigen::VectorXd qdd_, moving_, still_;
   int weak_joint_ = -1;
+  bool rubs_ = false;
   double largest_ = 0.0;
 };
 

@@ -22,6 +22,8 @@ class GravityLoad {
   explicit GravityLoad(const Model& model);
   // Of these joints the one that needs most of its limit, in a posture at rest on a fixed base.
   Worst of(const Configuration& posture, const std::vector<int>& joints) noexcept;
+  // What a joint carried in that posture [N m or N].
+  double effort(int joint) const noexcept { return tau_[joint]; }
 
  private:
   const Model* model_;

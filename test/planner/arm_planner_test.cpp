@@ -312,6 +312,35 @@ TEST(ArmPlanner, OnlyWaysThatAreTooHeavyAreRefusedWithTheJointAfterAllPatience) 
   EXPECT_EQ(plan.padding, 0.0);
 }
 
+// Damping and friction take of the efforts: the motion leaves its joints enough for them, and where friction takes all it is refused.
+TEST(ArmPlanner, JointsThatRubMoveAsFastAsTheirEffortsAllowAndAreNamedWhereTheyDoNot) {
+  const ArmGoal goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+  const ArmPlan easy = plan_with({}, goal, standing(), 1);
+  Model rubs = hrp1s();
+  for (const int j : rubs.hands[0].joints) {
+    Joint& joint = rubs.joints[at(j)];
+    joint.friction = 0.3 * joint.effort;
+    joint.damping = 8.0 * joint.effort / joint.velocity;
+  }
+  const ArmPlan plan = ArmPlanner(rubs).plan(goal, standing(), kGround, 1);
+  ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(plan);
+  EXPECT_GT(plan.duration(), 1.2 * easy.duration());
+  MotionEffort effort(rubs, standing(), plan.joints);
+  EXPECT_LE(effort.slower(plan.path), 1.0 + 1e-9);
+  EXPECT_GT(effort.largest(), 0.5) << "of an arm that could be faster";
+  const int elbow = rubs.hands[0].joints[3];
+  rubs.joints[at(elbow)].friction = 2.0 * rubs.joints[at(elbow)].effort;
+  ArmGoal bend;
+  bend.kind = ArmGoalKind::kJoints;
+  bend.speed = 0.5F;
+  const auto k = static_cast<std::size_t>(rubs.bus_index[at(elbow)]);
+  bend.joint_mask = std::int64_t{1} << k;
+  bend.q[k] = standing().q[elbow] - 0.5;
+  const ArmPlan none = ArmPlanner(rubs).plan(bend, standing(), kGround, 1);
+  EXPECT_EQ(none.status, ArmPathStatus::kBadGoal) << describe(none);
+  EXPECT_EQ(none.complaint, "on the way joint " + rubs.joints[at(elbow)].name + " would need more than its effort limit to move the arm against its friction");
+}
+
 // A goal may be as near as the guard lets links be that are near by design; of others it is refused.
 TEST(ArmPlanner, AGoalKeepsOfLinksThatAreNearByDesignWhatTheGuardKeeps) {
   const Configuration start = standing();
