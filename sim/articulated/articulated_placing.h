@@ -171,7 +171,7 @@ inline void begin_at(BodyLanes<L>& d, const BodyState& state, const Configuratio
     d.rate[d.of_joint[j]] = to.qd[static_cast<Eigen::Index>(j)];
   }
   for (Rank& rank : d.ranks) rank.touched = false;
-  find_sines(d.angle, d.sine, d.cosine);
+  if (d.ranks.size() > 1) find_sines(d.angle, d.sine, d.cosine);
 }
 
 // Link 0 is placed, sines are known.

@@ -295,6 +295,7 @@ bool LooseContacts::away_from(const Eigen::AlignedBox3d& box, const std::vector<
     place(i, i + 1, systems);
     if (!(box.exteriorDistance(piece.center) > piece.radius + reach_of(piece.speed, h))) return false;
   }
+  placed_ = true;
   return true;
 }
 

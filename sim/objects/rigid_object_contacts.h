@@ -211,7 +211,7 @@ class LooseContacts {
   double thinnest_ = std::numeric_limits<double>::infinity();  // of two pieces together [m]
   std::vector<int> heap_;               // by system: what it sleeps with, 0: awake
   std::vector<Slept> slept_;
-  bool sleepers_ = false;
+  bool sleepers_ = false, placed_ = false;  // placed_: by away_from(), for the search that follows
   std::vector<char> woke_;  // by system
   std::vector<Memory> memory_, saved_;  // in the order of find()
   KeyIndex remembered_;                 // of memory_, by key

@@ -5,6 +5,7 @@
 // touch it at the end of the step, and then rests on the same springs as before.
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/contact/bristle.h"
 #include "sim/objects/rigid_object_contacts.h"
@@ -82,8 +83,9 @@ bool LooseContacts::wake_touched(std::size_t first, Search& search) noexcept {
 
 void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h, std::vector<Contact>& contacts,
                          bool away) noexcept {
+  const bool placed = std::exchange(placed_, false);
   if (!away) place_all(systems);
-  for (std::size_t i = 0; away && i < loose_; ++i) {
+  for (std::size_t i = 0; away && !placed && i < loose_; ++i) {
     if (!asleep(pieces_[i].system)) place(i, i + 1, systems);
   }
   Search search{systems, h, contacts};

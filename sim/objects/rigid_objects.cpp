@@ -1,6 +1,7 @@
 #include "sim/objects/rigid_objects.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -8,7 +9,6 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 #include "sim/articulated/richardson.h"
-#include "sim/articulated/torque_free_rotation.h"
 #include "sim/contact/ground_contacts.h"
 #include "sim/objects/rigid_object_mesh.h"
 
@@ -125,14 +125,21 @@ bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
       if (system > 0 && system <= count()) bodies_[at(system - 1)].touched = true;
     }
   }
+  std::array<FreeRotation, kFreeLanes> turning;
+  int flying = 0;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (asleep(i)) continue;
     if (bodies_[i].touched) {
       bodies_[i].ever = true;
       land(i, h);
-    } else {
-      fly(i, h);
+      continue;
     }
+    turning[at(flying++)] = fly(i, h);
+    if (flying == kFreeLanes) turn_freely(turning.data(), std::exchange(flying, 0), h);
+  }
+  turn_freely(turning.data(), flying, h);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (asleep(i)) continue;
     if (check_configuration(0, bodies_[i].now) != Status::kOk) return false;
     place(i);
   }
@@ -202,14 +209,13 @@ void LooseBodies::land(std::size_t index, double h) noexcept {
   now.base_angular_velocity = after * (after.transpose() * angular_momentum).cwiseQuotient(inertia);
 }
 
-void LooseBodies::fly(std::size_t index, double h) noexcept {
+// All but its turn, which is returned.
+FreeRotation LooseBodies::fly(std::size_t index, double h) noexcept {
   Configuration& now = bodies_[index].now;
   const Eigen::Vector3d gravity(0.0, 0.0, -kGravity);
   now.base.translation() += h * (now.base_velocity + 0.5 * h * gravity);
   now.base_velocity += h * gravity;
-  Eigen::Matrix3d rotation = now.base.linear();
-  turn_freely(bodies_[index].inertia, h, rotation, now.base_angular_velocity);
-  now.base.linear() = rotation;
+  return {&bodies_[index].inertia, &now.base, &now.base_angular_velocity};
 }
 
 void LooseBodies::save() noexcept {

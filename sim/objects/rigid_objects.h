@@ -15,6 +15,7 @@
 
 #include "robot/kinematics/kinematics.h"
 #include "sim/articulated/aba.h"
+#include "sim/articulated/torque_free_rotation.h"
 #include "sim/contact/contact_solve.h"
 #include "sim/objects/rigid_object_contacts.h"
 #include "sim/objects/other_robots.h"
@@ -100,7 +101,7 @@ class LooseBodies {
   int heap_of(int system) noexcept;
   void place(std::size_t body) noexcept;
   void land(std::size_t body, double h) noexcept;
-  void fly(std::size_t body, double h) noexcept;
+  FreeRotation fly(std::size_t body, double h) noexcept;
 
   std::vector<ArticulatedBody> articulated_;
   std::vector<Body> bodies_;

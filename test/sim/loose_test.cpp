@@ -401,18 +401,18 @@ TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
 TEST(FreeTurn, ABodyTurnsOverElevenTimesAndKeepsEnergyAndMomentum) {
   const Eigen::Vector3d inertia(0.01, 0.02, 0.028);
   for (const double h : {1e-2, 1e-3}) {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     Eigen::Vector3d spin(0.01, 5.0, 0.0);
     const auto momentum = [&] {
-      return Eigen::Vector3d(rotation * inertia.cwiseProduct(rotation.transpose() * spin));
+      return Eigen::Vector3d(pose.linear() * inertia.cwiseProduct(pose.linear().transpose() * spin));
     };
     const Eigen::Vector3d l0 = momentum();
     const double e0 = 0.5 * spin.dot(l0);
     int flips = 0;
     bool up = true;
     for (long i = 0; i < std::lround(60.0 / h); ++i) {
-      turn_freely(inertia, h, rotation, spin);
-      const bool now = rotation.col(1).dot(spin) > 0.0;
+      turn_freely(inertia, h, pose, spin);
+      const bool now = pose.linear().col(1).dot(spin) > 0.0;
       flips += now != up ? 1 : 0;
       up = now;
     }
@@ -426,11 +426,37 @@ TEST(FreeTurn, ABodyTurnsOverElevenTimesAndKeepsEnergyAndMomentum) {
 TEST(FreeTurn, ANeedleTurnsAsFarAsAnythingElse) {
   for (const double thin : {1e-2, 1e-6, 1e-10, 1e-14}) {
     const Eigen::Vector3d inertia(1.0, 1.0, thin);
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
     Eigen::Vector3d spin(100.0, 0.0, 0.0);
-    for (int i = 0; i < 5; ++i) turn_freely(inertia, 0.002, rotation, spin);
-    EXPECT_NEAR(std::atan2(rotation(2, 1), rotation(1, 1)), 1.0, 1e-3) << thin;
+    for (int i = 0; i < 5; ++i) turn_freely(inertia, 0.002, pose, spin);
+    EXPECT_NEAR(std::atan2(pose(2, 1), pose(1, 1)), 1.0, 1e-3) << thin;
     EXPECT_NEAR(spin.x(), 100.0, 1e-9) << thin;
+  }
+}
+
+// Of many speeds and shapes, so that lanes need sweeps and parts of their own; one does not turn at all.
+TEST(FreeTurn, FourBodiesTurnAsEachByItself) {
+  Random random(5);
+  const auto vector = [&](double size) {
+    return Eigen::Vector3d(size * (random.uniform() - 0.5), size * (random.uniform() - 0.5), size * (random.uniform() - 0.5));
+  };
+  for (int round = 0; round < 200; ++round) {
+    std::array<Eigen::Vector3d, kFreeLanes> inertia, spin, spin_alone;
+    std::array<Eigen::Isometry3d, kFreeLanes> pose, pose_alone;
+    std::array<FreeRotation, kFreeLanes> all;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      inertia[k] = (vector(1.0).cwiseAbs() + Eigen::Vector3d::Constant(0.01)) * std::pow(10.0, -3.0 * random.uniform());
+      spin[k] = spin_alone[k] = round % 10 == 0 && k == 2 ? Eigen::Vector3d(0, 0, 0) : vector(std::pow(10.0, 4.0 * random.uniform() - 1.0));
+      pose[k] = Eigen::Translation3d(vector(5.0)) * Eigen::AngleAxisd(3.0 * random.uniform(), vector(1.0).normalized());
+      pose_alone[k] = pose[k];
+      all[k] = {&inertia[k], &pose[k], &spin[k]};
+    }
+    turn_freely(all.data(), kFreeLanes, 0.002);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      turn_freely(inertia[k], 0.002, pose_alone[k], spin_alone[k]);
+      EXPECT_EQ(pose[k].matrix(), pose_alone[k].matrix()) << round << " " << k;
+      EXPECT_EQ(spin[k], spin_alone[k]) << round << " " << k;
+    }
   }
 }
 
