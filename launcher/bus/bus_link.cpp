@@ -56,7 +56,7 @@ struct BusLink::Impl {
 
 BusLink::BusLink(const std::string& url, const std::string& prefix,
                  const std::vector<std::string>& allow)
-    : sender_id_(random_id()) {
+    : sender_id_(random_id()), sequence_(static_cast<std::int32_t>(sender_id_ & 0x3fffffff)) {
   const BusOptions options = options_of(url, prefix, allow);
   url_ = options.url;
   impl_ = std::make_unique<Impl>(options, seen_);

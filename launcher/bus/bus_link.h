@@ -71,7 +71,7 @@ class BusLink {
   StackMonitor seen_;
   std::string url_;
   std::int64_t sender_id_;
-  std::int32_t sequence_ = 0;
+  std::int32_t sequence_;  // begins anywhere: a source answers by it, and an answer to somebody before is none to us
   std::unique_ptr<Impl> impl_;
 };
 

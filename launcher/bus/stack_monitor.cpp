@@ -199,6 +199,12 @@ void refuse_while_paused(const StackMonitor& seen, std::int64_t now_ns) {
   if (is_paused(seen, now_ns)) throw std::runtime_error("the simulated world is paused: ./twinbus sim go, then ask again");
 }
 
+void refuse_in_replay(const StackMonitor& seen, std::int64_t now_ns) {
+  const SeenSource* active = seen.active(now_ns);
+  if (active != nullptr && active->status.source == SourceKind::kReplay)
+    throw std::runtime_error("a log is replayed, and it obeys nobody: ./twinbus switch sim or bridge, where one runs, then ask again");
+}
+
 std::string motion_text(const ControllerStatus& status) {
   if (status.mode != Mode::kBalance) return "";
   switch (status.motion) {

@@ -110,6 +110,8 @@ bool has_own_clock(const StackMonitor& seen, std::int64_t now_ns);
 // Throws std::runtime_error with the remedy: what is sent to a world that stands still is obeyed when nobody thinks of it any
 // more.
 void refuse_while_paused(const StackMonitor& seen, std::int64_t now_ns);
+// Throws while a log is replayed: it goes its way, whatever a controller asks for.
+void refuse_in_replay(const StackMonitor& seen, std::int64_t now_ns);
 // "sways"; empty when it does nothing that has a name.
 std::string motion_text(const ControllerStatus& status);
 const char* source_name(SourceKind source);

@@ -62,6 +62,7 @@ class Player {
 int play_motion(BusLink& bus, const Model& model, const MotionClip& clip) {
   (void)active_source(bus);
   refuse_while_paused(bus.seen(), monotonic_ns());
+  refuse_in_replay(bus.seen(), monotonic_ns());
   bus.listen(0.1);
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");

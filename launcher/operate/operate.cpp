@@ -15,6 +15,7 @@
 #include "launcher/bus/bus_link.h"
 #include "launcher/commands/commands.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/lies_down.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
 #include "robot/kinematics/pose_request.h"
@@ -40,6 +41,7 @@ const char* kind_text(StopKind asked, StopKind now) {
 bool ask_controller(BusLink& bus, ModeRequest& request) {
   request.run_id = active_source(bus).status.run_id;
   refuse_while_paused(bus.seen(), monotonic_ns());
+  refuse_in_replay(bus.seen(), monotonic_ns());
   return bus.ask(request, kAskAgain, kAnswerTimeout,
                  [&] { return bus.seen().controller().mode_sequence == request.sequence; });
 }
@@ -285,6 +287,8 @@ taken on.
   }
   if (was_stopped && bus.seen().figures().fell)
     print_typed(stdout, "clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
+  else if (was_stopped && lies_down(bus.seen().source(run)->state))
+    print_typed(stdout, "clear: the robot lies: put it on its feet, then ./twinbus mode balance\n");
   return 0;
 }
 

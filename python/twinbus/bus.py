@@ -39,7 +39,8 @@ class Bus:
         self.group, self.port = parts[1], int(parts[2])
         options = dict(pair.split('=', 1) for pair in (parts[3] or '').split('&') if '=' in pair)
         self.prefix, self.wanted, self.sequence = prefix, set[bytes](), 0
-        self.sender_id, self.asked = new_id(), 0
+        self.sender_id = new_id()
+        self.asked = self.sender_id & 0x3FFFFFFF  # answers name it: one to somebody before us is none to us
         self.sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, int(options.get('ttl', 0)))
         self.receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)

@@ -82,6 +82,31 @@ TEST(ActingLines, NameWhatIsWrongWithItsRemedy) {
   EXPECT_FALSE(has(acting_lines(fallen, kNow), "is stopped"));  // of it, and reset ends that too
 }
 
+RobotState lying() {
+  RobotState state;
+  state.run_id = 7;
+  state.role = Role::kActive;
+  state.sensor_flags = kImuValid;
+  state.attitude = {0.70710678F, 0.0F, -0.70710678F, 0.0F};  // on its back
+  return state;
+}
+
+// A hardware bridge knows no truth: the robot's own attitude tells.
+TEST(ActingLines, ARobotThatLiesIsNamedWithoutASimulator) {
+  StackMonitor seen = healthy(source_of(SourceKind::kBridge, Role::kActive, 7));
+  RobotState state = lying();
+  seen.on_state(state, kNow);
+  EXPECT_TRUE(has(acting_lines(seen, kNow), "the robot lies: put it on its feet"));
+  state.attitude = {1.0F, 0.0F, 0.0F, 0.0F};
+  seen.on_state(state, kNow);
+  EXPECT_TRUE(acting_lines(seen, kNow).empty());
+}
+
+TEST(StackMonitor, AReplayIsAskedForNoMotion) {
+  EXPECT_NO_THROW(refuse_in_replay(healthy(), kNow));
+  EXPECT_THROW(refuse_in_replay(healthy(source_of(SourceKind::kReplay, Role::kActive, 7)), kNow), std::runtime_error);
+}
+
 // An arm has no feet.
 TEST(ShortLines, WhereNoFootCarriesNoMarginIsSaid) {
   CpuShare shares;

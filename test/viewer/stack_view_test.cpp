@@ -188,6 +188,21 @@ TEST(Health, SaysTheWorstThingFirst) {
   EXPECT_EQ(assess(view, now + 400 * kMs).level, HealthLevel::kBad);  // the state is silent
 }
 
+// Nobody else says so of a robot on hardware.
+TEST(Health, ARobotThatLiesHasFallenWhateverItsMode) {
+  StackView view(model());
+  const std::int64_t now = kStart + 500 * kMs;
+  RobotState state = standing();
+  state.sensor_flags |= kImuValid;
+  state.attitude = {0.70710678F, 0.0F, -0.70710678F, 0.0F};
+  for (int i = 0; i <= 5; ++i) view.on_state(state, kStart + i * 100 * kMs);
+  ControllerStatus controller;
+  controller.mode = Mode::kHold;
+  view.on_controller_status(controller, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kBad);
+  EXPECT_NE(assess(view, now).text.find("fallen"), std::string::npos);
+}
+
 TEST(Health, SaysThatTheSimulatorDoubtsItsSteps) {
   StackView view(model());
   const std::int64_t now = kStart + 500 * kMs;

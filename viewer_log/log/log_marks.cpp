@@ -6,21 +6,15 @@
 
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/lies_down.h"
 
 namespace twinbus::inline viewer_log {
 
 namespace {
 
-constexpr double kFallenCosine = 0.5;         // a trunk tilted by more than 60 degrees has fallen
 constexpr std::int64_t kSilence = 25'000;     // without STATE [us]
 constexpr std::int64_t kGuardRest = 200'000;  // a guard that lets go for less goes on [us]
 constexpr std::size_t kMostSenders = 64;
-
-// Cosine of the tilt: z axis of a rotation w x y z, along the vertical.
-double upright(const std::array<float, 4>& w) {
-  const double x = static_cast<double>(w[1]), y = static_cast<double>(w[2]);
-  return 1.0 - 2.0 * (x * x + y * y);
-}
 
 }  // namespace
 
@@ -60,7 +54,7 @@ void MarkFinder::on_state(const RobotState& state, std::int64_t utime) {
     add(utime, MarkKind::kStop, std::move(text));
   }
   if ((state.sensor_flags & kImuValid) != 0) {
-    const bool now = upright(state.attitude) > kFallenCosine;
+    const bool now = !lies_down(state);
     if (upright_ && !now) add(utime, MarkKind::kFall, "tilted by more than 60 degrees");
     upright_ = now;
   }

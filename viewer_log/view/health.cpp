@@ -3,6 +3,7 @@
 #include "common/text/formatted.h"
 #include "common/text/name_of.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/lies_down.h"
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/pace.h"
 
@@ -67,8 +68,10 @@ Health assess(const StackView& view, std::int64_t now_ns) {
     if (source.value.run_id == state.run_id) reason = source.value.stop_reason;
   }
   const bool stopped = state.stop_kind != StopKind::kNone;
-  if (stopped && reason == StopReason::kFallen && !view.truth_applies(now_ns)) {
-    return {HealthLevel::kBad, "The robot has fallen and is stopped.", "Put it on its feet, then press Clear."};
+  const bool lies = view.model().floating_base && lies_down(state);
+  if (((stopped && reason == StopReason::kFallen) || lies) && !view.truth_applies(now_ns)) {
+    return {HealthLevel::kBad, std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
+            stopped ? "Put it on its feet, then press Clear." : "Put it on its feet, then ask for balance."};
   }
   if (view.truth_applies(now_ns) && view.truth().value.fell) {
     return {HealthLevel::kBad,
