@@ -74,6 +74,10 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
 
 void Guard::Impl::predict(const RobotState& state, const JointCommand* command) noexcept {
   if (command != nullptr) {
+    if (const std::int64_t last = std::exchange(commanded_run_id, command->run_id); last != 0 && last != command->run_id) {
+      track.change_source();
+      servos.change_source();
+    }
     track.follow(state, *command, report.hold_mask & ~servos.soft());
     servos.follow(state, *command, report.hold_mask, *now_kinematics, now, kept(), track.on_hold());
   }

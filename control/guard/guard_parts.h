@@ -60,7 +60,7 @@ struct Guard::Impl {
   double least_share = kShare;
   std::int64_t all_but_legs = 0;
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
-  std::int64_t run_id = 0, seen_tick = 0;
+  std::int64_t run_id = 0, commanded_run_id = 0, seen_tick = 0;  // of the states and of the commands
   PerJoint<double> seen_q{};
   GuardReport report;
   GuardCause cause;

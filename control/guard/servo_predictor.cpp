@@ -78,7 +78,7 @@ ServoPredictor::ServoPredictor(const Model& model, int delay_ticks, double lag)
 }
 
 void ServoPredictor::reset() noexcept {
-  started_ = false;
+  started_ = changed_ = false;
   soft_ = weak_ = held_now_ = 0;
   masks_.fill(0);
   for (Servo& s : servos_) s.strays = 0.0;
@@ -176,7 +176,10 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     s.faded += looks * period_;
     const QuinticFade fade = s.faded < fade_s_ ? quintic_fade(s.faded / fade_s_) : QuinticFade{};
     const double asked = std::clamp(command.q[i] + fade.h0 * s.from_q + fade.h1 * fade_s_ * s.from_v, s.lower, s.upper);
-    if (commands > 0.0) {
+    if (commands > 0.0 && changed_) {
+      s.client_speed = s.step = static_cast<double>(command.qd[i]);
+      s.client_q = s.heard_q = s.q = command.q[i];
+    } else if (commands > 0.0) {
       const double moved = (command.q[i] - s.client_q) / (commands * period_);
       s.client_speed = agreed(moved, s.step);  // a step of a policy is none
       s.step = moved;
@@ -204,6 +207,7 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     }
     s.moved = std::clamp((s.q - before) / looks, -s.rate * period_, s.rate * period_);
   }
+  changed_ = changed_ && !(commands > 0.0);
 }
 
 // Which joints are soft: by the gate's rules, and servos that move their joints slowly, as robot.yaml itself may say.

@@ -32,6 +32,8 @@ class ServoPredictor {
   ServoPredictor(const Model& model, int delay_ticks, double lag);
 
   void reset() noexcept;
+  // As SetPointTrack::change_source.
+  void change_source() noexcept { changed_ = true; }
   // One tick; says which joints are soft, and of these where they go.  mask: bit per joint that the last look held.
   // kinematics: of this configuration, of which the position of the base is not used.  kept: of earlier masks, which look_masked
   // will most likely be asked for, alone and with others, and those of other joints that are still on hold.
@@ -110,7 +112,7 @@ class ServoPredictor {
 
   double period_, lag_, delay_, fade_s_;  // [s]
   int count_, delay_ticks_;
-  bool started_ = false;
+  bool started_ = false, changed_ = false;
   std::int64_t controller_ = 0, heard_tick_ = 0, looked_tick_ = 0;
   std::int64_t soft_ = 0, weak_ = 0, held_now_ = 0;  // weak: soft by their gains
   std::array<std::int64_t, SetPointTrack::kMostDelay> masks_{};  // on their way, the newest first

@@ -1,5 +1,7 @@
 #include "control/guard/set_point_predictor.h"
 
+#include <utility>
+
 #include "robot/kinematics/brake.h"
 #include "common/math/index.h"
 #include "common/math/quintic_fade.h"
@@ -41,7 +43,7 @@ SetPointTrack::SetPointTrack(const Model& model, int delay_ticks, double lag)
 }
 
 void SetPointTrack::reset() noexcept {
-  started_ = false;
+  started_ = changed_ = false;
   masks_.fill(0);
   for (std::size_t k = 0; k < count_; ++k) obeyed_[k] = held_[k] = {0.0, 0.0, brake_[k]};
 }
@@ -70,6 +72,16 @@ void SetPointTrack::hear(const JointCommand& command, double since) noexcept {
     asked_[k] = asked;
     asked_v_[k] = asked_v;
     asked_qd_[k] = between(static_cast<double>(command.qd[k]), -limit, limit);
+  }
+}
+
+void SetPointTrack::hear_first(const RobotState& state, const JointCommand& command) noexcept {
+  for (std::size_t k = 0; k < count_; ++k) {
+    const double limit = limit_[k];
+    asked_[k] = command.q[k];
+    asked_v_[k] = asked_qd_[k] = between(static_cast<double>(command.qd[k]), -limit, limit);
+    acceleration_[k] = 0.0;
+    if (((held_now_ | fading_) & bit(static_cast<int>(k))) == 0) q_[k] = between(command.q[k], state.q[k] - kServoError, state.q[k] + kServoError);
   }
 }
 
@@ -220,7 +232,10 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
   // One that is heard again says nothing new; where commands or looks were left out, the set-point has moved for longer than
   // a period.
   const std::int64_t ticks = command.tick - heard_tick_;
-  if (ticks != 0) hear(command, static_cast<double>(std::clamp<std::int64_t>(ticks, 1, kMostLeftOut)) * period_);
+  if (ticks != 0 && std::exchange(changed_, false))
+    hear_first(state, command);
+  else if (ticks != 0)
+    hear(command, static_cast<double>(std::clamp<std::int64_t>(ticks, 1, kMostLeftOut)) * period_);
   heard_tick_ = command.tick;
   // A guard that stood still has not seen the set-points move.
   const std::int64_t looks = std::clamp<std::int64_t>(state.tick - looked_tick_, 1, kMostLeftOut);

@@ -58,6 +58,9 @@ class SetPointTrack {
   SetPointTrack(const Model& model, int delay_ticks, double lag);
 
   void reset() noexcept;
+  // The next command is the first for another source, which took over with the set-points that there were: where that robot stands
+  // a little otherwise, set-points that follow the measured joints jump with it, and a jump is no speed.
+  void change_source() noexcept { changed_ = true; }
   // One tick: the set-points move on towards command.  mask: bit per joint that the last look held.
   void follow(const RobotState& state, const JointCommand& command, std::int64_t mask) noexcept;
 
@@ -83,6 +86,7 @@ class SetPointTrack {
   };
   void start(const RobotState& state, const JointCommand& command) noexcept;
   void hear(const JointCommand& command, double since) noexcept;
+  void hear_first(const RobotState& state, const JointCommand& command) noexcept;
   void move_free(const RobotState& state, double since) noexcept;
   void hold(const RobotState& state, std::int64_t joints) noexcept;
   void move_bound(std::size_t k, double measured) noexcept;
@@ -99,7 +103,7 @@ class SetPointTrack {
   double fade_s_;  // [s]
   std::size_t count_;
   int delay_ticks_;
-  bool started_ = false;
+  bool started_ = false, changed_ = false;
   std::int64_t heard_tick_ = 0, looked_tick_ = 0;  // of the last command and state
   std::array<std::int64_t, kMostDelay> masks_{};  // on their way, the newest first
   PerJoint<double> limit_{};                      // fastest set-point [rad/s or m/s]

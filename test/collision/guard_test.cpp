@@ -141,6 +141,36 @@ TEST(Guard, GoesOnAsItWasWhenASourceTakesOverInMidMotion) {
   EXPECT_EQ(watch.judge(rig.state).hold_mask, 0);  // nobody has told it anything
 }
 
+// Set-points that follow the measured joints, as those of legs in balance, are elsewhere where the other robot stands a little
+// otherwise.  That is a step of the set-point, and no motion of the leg: it asks for no stop.
+TEST(Guard, ARobotThatStandsALittleOtherwiseTakesOverWithoutAStop) {
+  const Model& model = hrp1s();
+  for (const double off : {0.02, -0.02, 0.04, -0.04}) {
+    GuardWatch watch(model, {});
+    GuardRig rig(model, named_posture(model, "half_sitting"));
+    GuardReport report;
+    const auto judge = [&] {
+      ++rig.state.tick;
+      rig.command.tick = rig.state.tick;
+      rig.command.run_id = rig.state.run_id;
+      watch.on_command(rig.command);
+      report = watch.judge(rig.state);
+    };
+    rig.state.run_id = 1;
+    for (int i = 0; i < 20; ++i) judge();
+    ASSERT_FALSE(report.stop_asked);
+    rig.state.run_id = 2;
+    const std::size_t hip = bus("LLEG_HIP_R");
+    rig.state.q[hip] += off;
+    rig.command.q[hip] += off;
+    for (int i = 0; i < 20; ++i) {
+      judge();
+      EXPECT_FALSE(report.stop_asked) << off << " rad, tick " << i;
+      EXPECT_EQ(report.hold_mask, 0) << off << " rad, tick " << i;
+    }
+  }
+}
+
 // A robot that is in contact, or inside its margin, may move every joint that takes it apart and
 // none that does not.
 TEST(Guard, MotionAwayIsNotBlockedAndMotionDeeperIs) {
