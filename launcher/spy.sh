@@ -38,12 +38,11 @@ chart=$(find_jar jchart2d.jar) || missing="$missing libjchart2d-java"
 command -v java >/dev/null 2>&1 || missing="$missing default-jre"
 if [ -n "$missing" ]; then
   echo "twinbus spy: missing; run: apt-get install$missing" >&2
-  exit 1
 fi
 if [ ! -f "$types" ]; then
   echo "twinbus spy: no $types, so nothing would be decoded; install default-jdk-headless and build again" >&2
-  exit 1
 fi
+[ -z "$missing" ] && [ -f "$types" ] || exit 1
 [ "$check" = no ] || { echo "lcm-spy can run: $lcm $chart $types"; exit 0; }
 if [ -z "${DISPLAY:-}" ]; then
   echo "twinbus spy: no display; log in on a desktop or with ssh -X, or start it under xvfb-run" >&2

@@ -20,6 +20,7 @@ import time
 import programs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+programs.help_is(__doc__)
 programs.on_own_bus(__file__, "bench log")
 sys.path.insert(0, str(ROOT / "test/process"))
 import harness  # noqa: E402

@@ -18,6 +18,9 @@ import sys
 import threading
 import time
 
+import programs
+
+programs.help_is(__doc__)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "test/process"), str(ROOT / "test/viewer")]
 

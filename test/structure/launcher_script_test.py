@@ -180,8 +180,8 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
             time.sleep(0.3)
             self.calls.unlink()
             for word in ("walk", "mode", "pose", "reach", "switch", "push", "sim", "restart", "log", "env", "record", "view", "gamepad"):
-                done = self.run_script(word, "x")
-                self.assertEqual((done.returncode, done.stdout), (0, f"program {word} x\n"), done.stderr)
+                done = self.run_script(word, str(self.calls.parent))
+                self.assertEqual((done.returncode, done.stdout), (0, f"program {word} {self.calls.parent}\n"), done.stderr)
                 self.assertIn("another build goes on", done.stderr)
             self.assertEqual(self.said(), "")
             (self.root / "build/release/bin/twinbus_gamepad").unlink()  # its first build goes on
@@ -193,9 +193,111 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.assertEqual(self.run_script("walk").stdout, "program walk\n")
         self.assertIn("cmake --build", self.said())
 
+    def sources(self):
+        for folder in ("launcher", "test", "campaign", "python"):
+            (self.root / folder).symlink_to(ROOT / folder)
+
+    def test_spy_check_installs_and_builds_nothing(self):
+        self.sources()
+        self.packages("gone  b\nspy: window  d\n")
+        for _ in range(2):
+            done = self.run_script("spy", "--check")
+            self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+            self.assertIn("types.jar, so nothing would be decoded", done.stderr)
+            self.assertEqual(self.said(), "")
+            (self.root / "build/release/bin").mkdir(parents=True, exist_ok=True)  # with a program too
+            executable(self.root / "build/release/bin/twinbus", "#!/bin/sh\necho program\n")
+
+    def test_a_bench_or_chart_without_a_known_name_is_answered_without_a_build(self):
+        self.sources()
+        for word, some in (("bench", ("control", "any_robot", "explorer", "planner")), ("chart", ("walk", "guard"))):
+            for words in ((word,), (word, "--help"), (word, "-h")):
+                done = self.run_script(*words)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                for name in some:
+                    self.assertRegex(done.stdout, rf"\s{name}\s")
+            done = self.run_script(word, "nosuch")
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, rf"^{word}: no {word} 'nosuch'; known: \w+, .*; ./twinbus {word} lists all\n$")
+            self.assertIn("did you mean planner?", self.run_script(word, "plannr").stderr)
+        done = self.run_script("bench", "kinematics", "--help")
+        self.assertIn("one call of the robot library", done.stdout)
+        self.assertEqual(self.said(), "")
+        self.run_script("bench", "kinematics")
+        self.assertIn("--target all", self.said())
+
+    def test_every_bench_that_is_built_is_known(self):
+        self.sources()
+        listed = re.findall(r"(?m)^  (\w+)", self.run_script("bench").stdout)
+        built = set()
+        for file in (ROOT / "test").glob("*/CMakeLists.txt"):
+            built.update(re.findall(r"(?:add_executable\(|OUTPUT_NAME )(\w+)_bench\b(?! EXCLUDE_FROM_ALL)", file.read_text()))
+        built.update(path.stem[6:] for path in (ROOT / "test/bench").glob("bench_*.py"))
+        self.assertGreater(len(built), 25)
+        self.assertFalse(built - set(listed), "not in the table of launcher/operate/tools.cpp")
+
+    def test_a_log_that_is_not_there_is_told_without_a_build(self):
+        self.sources()
+        for words in (("view", "nosuch.log"), ("view", str(self.calls.parent), "nosuch.log"), ("replay", "nosuch.log"), ("log", "info", "nosuch.log"),
+                      ("log", "compare", str(self.calls.parent), "nosuch.log")):
+            done = self.run_script(*words)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), done.stderr)
+            self.assertRegex(done.stderr, rf"^twinbus: {words[0]}: no log 'nosuch.log': .*\n$")
+        self.assertEqual(self.said(), "")
+        (self.root / "runs/one").mkdir(parents=True)
+        for words in (("view", "one"), ("view",), ("view", "--port", "1"), ("view", "http://127.0.0.1/#log=x"), ("log", "cut", str(self.root), "new.log")):
+            self.assertEqual(self.run_script(*words).stdout, " ".join(("program", *words)) + "\n")
+
+    def test_help_of_every_command_without_its_program(self):
+        self.sources()
+        for line in (ROOT / "launcher/main.cpp").read_text().splitlines():
+            found = re.match(r'    \{"(\w+)", "', line)
+            if found and found[1] not in ("scenes", "doctor"):
+                done = self.run_script(found[1], "--help")
+                self.assertEqual(done.returncode, 0, found[1] + done.stderr)
+                self.assertRegex(done.stdout, rf"(?s)usage: .*\./twinbus {found[1]}\b.*\n.*\w", found[1])
+        said = self.run_script("up", "stand", "--help").stdout
+        self.assertTrue(said.startswith("usage: ./twinbus up [SCENE]\nStarts the processes"), said)
+        self.assertIn("\n  --report F  writes the figures as JSON\n", said)
+        self.assertIn("usage: ./twinbus log info FILE\n", self.run_script("log", "info", "--help").stdout)
+        self.assertEqual(self.said(), "")
+        # While another build goes on, and the program of `view` is not there yet; once it is, the program says it.
+        self.run_script("up")
+        self.calls.unlink()
+        with subprocess.Popen(["flock", "--no-fork", self.root / "build/.lock", "sleep", "600"]) as other:
+            time.sleep(0.3)
+            self.assertIn("look at a log", self.run_script("view", "--help").stdout)
+            self.assertEqual(self.run_script("up", "--help").stdout, "program up --help\n")
+            executable(self.root / "build/release/bin/twinbus_log_viewer", "#!/bin/sh\n")
+            self.assertEqual(self.run_script("view", "--help").stdout, "program view --help\n")
+            other.terminate()
+        self.assertEqual(self.said(), "")
+
+    def test_own_network_is_joined_by_programs_and_goes_in_front(self):
+        done = self.run_script("up", "--own-network")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("in front of the command: ./twinbus --own-network up", done.stderr)
+        mine = self.root / "mine"
+        mine.mkdir()
+        done = self.run_script("--own-network", "--", "mine", XDG_RUNTIME_DIR=str(mine))
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("first: ./twinbus --own-network up", done.stderr)
+        (self.root / "build/release/bin").mkdir(parents=True)
+        shutil.copy(shutil.which("sleep"), self.root / "build/release/bin/twinbus")
+        executable(self.bin / "nsenter", "#!/bin/sh\necho nsenter \"$@\"\n")
+        with subprocess.Popen([self.root / "build/release/bin/twinbus", "60"]) as stack:
+            (mine / f"twinbus-network-{os.getuid()}").write_text(str(stack.pid))
+            time.sleep(0.2)
+            done = self.run_script("--own-network", "--", "mine", "--fast", XDG_RUNTIME_DIR=str(mine))
+            stack.terminate()
+        self.assertRegex(done.stdout, rf"^nsenter --target {stack.pid} .*--net mine --fast\n$", done.stderr)
+        self.assertEqual(self.said(), "")
+
     def test_words_that_are_no_command_build_nothing(self):
         (self.root / "launcher").mkdir()
         shutil.copy(ROOT / "launcher" / "main.cpp", self.root / "launcher" / "main.cpp")
+        done = self.run_script("wlak")
+        self.assertEqual((done.returncode, done.stderr, self.said()), (2, "twinbus: no command 'wlak'; did you mean walk?\n", ""))
         self.run_script("up")
         self.calls.unlink()
         for word in ("wlak", ".", "up x", "u"):
@@ -263,7 +365,8 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertRegex(done.stdout, r"(?m)^  one +Stands still\.\n  two +Walks\.$")
         self.assertNotIn("two", self.run_script("scenes", "STAND", "one").stdout)
-        self.assertEqual(self.run_script("scenes", "nowhere").returncode, 1)
+        done = self.run_script("scenes", "twp")
+        self.assertEqual((done.returncode, done.stderr), (1, "twinbus: no scene has all of these words; did you mean two?; ./twinbus scenes lists all\n"))
         done = self.run_script("doctor")
         self.assertEqual((done.returncode, done.stderr), (1, ""))
         self.assertIn("MISSING  packages are missing: gone\n         mend: ./twinbus up, or sudo apt-get install gone", done.stdout)
