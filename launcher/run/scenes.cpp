@@ -7,10 +7,13 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "common/text/closest_name.h"
 #include "launcher/run/fit_scene.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene.h"
@@ -57,6 +60,20 @@ bool has_all(const std::string& text, const std::vector<std::string>& words) {
                      [&](const std::string& word) { return text.find(small(word)) != std::string::npos; });
 }
 
+// "; did you mean walk?" of the first word that is near a name, or a part of one between underscores, and none itself.
+std::string meant(const std::vector<std::string>& words, const std::vector<std::string>& names) {
+  std::set<std::string> parts(names.begin(), names.end());
+  for (const std::string& name : names) {
+    std::istringstream text(name);
+    for (std::string part; std::getline(text, part, '_');) parts.insert(part);
+  }
+  for (const std::string& word : words) {
+    const std::string near = nearest_name(word, {parts.begin(), parts.end()});
+    if (!near.empty() && near != small(word)) return "; did you mean " + near + "?";
+  }
+  return "";
+}
+
 }  // namespace
 
 int scenes_command(const std::vector<std::string>& words) {
@@ -87,7 +104,7 @@ text, small letters or capitals.  ./twinbus run SCENE judges one, ./twinbus up S
   }
   if (!refused.empty()) std::printf("not for %s\n", model->name.c_str());
   for (const auto& [why, scenes] : refused) std::printf("%s\n    %s\n", scenes.c_str(), why.c_str());
-  if (!any) throw std::runtime_error("no scene has all of these words; ./twinbus scenes lists all");
+  if (!any) throw std::runtime_error("no scene has all of these words" + meant(arguments.words(), names) + "; ./twinbus scenes lists all");
   return 0;
 }
 
