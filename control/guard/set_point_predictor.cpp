@@ -81,7 +81,8 @@ void SetPointTrack::hear_first(const RobotState& state, const JointCommand& comm
     asked_[k] = command.q[k];
     asked_v_[k] = asked_qd_[k] = between(static_cast<double>(command.qd[k]), -limit, limit);
     acceleration_[k] = 0.0;
-    if (((held_now_ | fading_) & bit(static_cast<int>(k))) == 0) q_[k] = between(command.q[k], state.q[k] - kServoError, state.q[k] + kServoError);
+    if (((held_now_ | fading_) & bit(static_cast<int>(k))) == 0)
+      q_[k] = between(command.q[k], state.q[k] - kServoError, state.q[k] + kServoError);
   }
 }
 
