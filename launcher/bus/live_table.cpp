@@ -132,7 +132,7 @@ std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now
   if (!fell && active != nullptr && lies_down(active->state))
     lines.push_back("the robot lies: put it on its feet, then ./twinbus clear and ./twinbus mode balance" +
                     std::string(active->status.source == SourceKind::kBridge
-                                    ? " (a stand-in robot: ./twinbus restart robot, then at once ./twinbus restart bridge)"
+                                    ? " (a stand-in robot stands up only with a new stack: ./twinbus up)"
                                     : ""));
   for (const SeenSource* source : sources) {
     const SourceStatus& s = source->status;

@@ -275,6 +275,13 @@ Ends a stop: the source goes on from where it stands.  A controller that was sta
 taken on.
   --prefix --url --allow)"}, words);
   BusLink bus = open_bus(arguments);
+  // A source that nobody made active yet may be stopped, too, and cannot become active until that is over.
+  if (wait_for_active(bus, 1.0) == nullptr && !bus.seen().sources(monotonic_ns()).empty()) {
+    const std::size_t cleared = clear_all(bus);
+    print_typed(stdout, "clear: %s; no source is active: ./twinbus switch sim, bridge or replay makes one active\n",
+                cleared > 0 ? "no source is stopped any more" : "nothing is stopped");
+    return 0;
+  }
   const std::int64_t run = active_source(bus).status.run_id;
   refuse_while_paused(bus.seen(), monotonic_ns());
   const bool was_stopped = bus.seen().source(run)->status.stop_kind != StopKind::kNone;
