@@ -25,7 +25,7 @@ namespace twinbus::inline sim {
 
 namespace {
 
-constexpr double kSpare = 1.0;   // of a goal, beside the way there [s]
+constexpr double kSpare = 2.0;   // of a goal, beside the way at full speed: to plan, to speed up and brake, to come to rest [s]
 constexpr double kLatest = 20.0;  // times as late
 constexpr double kClear = 0.05;  // of the robot where it begins from what stands around [lengths of the arm]
 constexpr double kNear = GuardDefaults::kAtGoal;  // of the robot at a goal from what stands around and from itself
