@@ -10,6 +10,7 @@ says how many.  A switch that failed while the machine itself stood still (stall
 import os
 import pathlib
 import random
+import subprocess
 import sys
 import tempfile
 import time
@@ -176,6 +177,25 @@ def refusals(checks):
         steps = max((abs(a.q[k] - b.q[k]) for a, b in zip(moved, moved[1:]) for k in range(b.joint_count)), default=0.0)
         checks.at_most(steps, 0.002, "and does not move [rad per tick]")
         cli("clear")
+        status, out, err = cli("switch", "bridge")
+        checks.that(status == 0 and active_run(bus) != run, f"an older refusal is none of a switch that is asked for later: {status}, {out}{err}")
+        bus.close()
+
+
+def out_of_a_walk(checks):
+    """The robot that takes over stands at its own posture, a little off: that is no motion, and stops nobody."""
+    with Stack("stand", "--stack", "both", "--no-viewer"):
+        bus = Bus()
+        time.sleep(1.5)
+        walk = subprocess.Popen([harness.BIN / "twinbus", "walk", "0.3", "0", "0", "--for", "8"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(4.0)
+        status, out, err = cli("switch", "bridge", timeout=40)
+        time.sleep(1.5)
+        _, state = bus.wait_for("STATE", timeout=2.0)
+        checks.that(status == 0 and state is not None and state.stop_kind == 0,
+                    f"switched while it walks it stops, and nothing is stopped afterwards: {status}, {state and state.stop_kind}, {out}{err}")
+        walk.kill()
+        walk.wait()
         bus.close()
 
 
@@ -221,6 +241,7 @@ def main():
         Row(checks, "sway", count, all_figures, rng, stalls, twosims=True).run()
     if not bench and not wanted:
         refusals(checks)
+        out_of_a_walk(checks)
     stalls.close()
     csv = sys.argv[sys.argv.index("--csv") + 1] if "--csv" in sys.argv[:-1] else None
     if all_figures:
