@@ -76,6 +76,8 @@ OdeWorld::OdeWorld(const Model& model, const WorldConfig& config)
   const std::vector<Tie> tied = checked_ties(model, config_);
   open_engine();
   world_ = dWorldCreate();
+  queue_ = dThreadingAllocateSelfThreadedImplementation();
+  dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(queue_), queue_);
   dWorldSetGravity(world_, 0.0, 0.0, -kGravity);
   dWorldSetERP(world_, 0.2);
   dWorldSetCFM(world_, 1e-9);
@@ -126,6 +128,7 @@ OdeWorld::~OdeWorld() {
   robots_.clear();  // geoms before the bodies that carry them
   dJointGroupDestroy(contact_group_);
   dWorldDestroy(world_);
+  dThreadingFreeImplementation(queue_);
 }
 
 void OdeWorld::save() noexcept {

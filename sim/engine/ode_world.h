@@ -21,6 +21,7 @@
 #pragma once
 
 #include <ode/ode.h>
+#include <ode/threading_impl.h>
 
 #include <deque>
 #include <vector>
@@ -171,6 +172,7 @@ class OdeWorld final : public World {
   WorldConfig config_;
   double h_;
   dWorldID world_ = nullptr;
+  dThreadingImplementationID queue_ = nullptr;  // of the jobs of a step: that which worlds share is for one thread alone
   dJointGroupID contact_group_ = nullptr;
   std::deque<OdeRobot> robots_;  // the commanded one, then the further ones
   OdeRobot& commanded_;

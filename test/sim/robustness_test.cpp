@@ -2,12 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -116,6 +122,36 @@ TEST_P(RobustnessTest, ALooseBodyWithoutMassOrSizeIsRefusedByName) {
       EXPECT_NE(std::string(error.what()).find("box"), std::string::npos) << error.what();
     }
   }
+}
+
+// Heaps that fall at the same time, each in a thread of its own, are to the bit what one by itself is.
+TEST_P(RobustnessTest, WorldsInThreadsDoNotDisturbOneAnother) {
+  const Model model = test::pendulum();
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = 1e-3;
+  for (int i = 0; i < 8; ++i) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() << 3.0, 0.0, 0.1 + 0.1 * i;
+    pose.linear() = Eigen::AngleAxisd(0.9 * i, Eigen::Vector3d(0.1, 0.2, 1.0).normalized()).toRotationMatrix();
+    config.loose.push_back(test::loose_box("beam" + std::to_string(i), 0.6, {0.5, 0.05, 0.05}, pose, 1e5, 150.0));
+  }
+  const auto fall = [&](std::vector<double>& end) {
+    const auto world = make(model, config);
+    EXPECT_EQ(world->set(Configuration(model)), Status::kOk);
+    for (int i = 0; i < 700; ++i) ASSERT_EQ(world->step(), Status::kOk) << i;
+    for (int i = 0; i < world->loose_count(); ++i) {
+      const Eigen::Isometry3d pose = world->loose(i).pose;
+      end.insert(end.end(), pose.data(), pose.data() + 16);
+    }
+  };
+  std::vector<double> alone;
+  std::array<std::vector<double>, 4> together;
+  fall(alone);
+  std::vector<std::thread> threads;
+  for (auto& each : together) threads.emplace_back(fall, std::ref(each));
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& each : together) EXPECT_EQ(each, alone);
 }
 
 }  // namespace
