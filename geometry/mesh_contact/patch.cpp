@@ -28,15 +28,24 @@ Eigen::AlignedBox3d box_in(const PatchFrame& frame, const ContactMesh& mesh,
 }  // namespace
 
 void PatchPolygon::keep(const LinearField& field) noexcept {
+  std::array<double, kMost> value;
+  bool cut = false;
+  for (int i = 0; i < count; ++i) {
+    value[at(i)] = field.at(corner[at(i)]);
+    cut = cut || !(value[at(i)] >= 0.0);
+  }
+  if (!cut) return;  // mostly
   PatchPolygon kept;
   for (int i = 0; i < count; ++i) {
+    const int next = i + 1 < count ? i + 1 : 0;
     const Eigen::Vector2d& from = corner[at(i)];
-    const Eigen::Vector2d& to = corner[at(i + 1 < count ? i + 1 : 0)];
-    const double here = field.at(from), there = field.at(to);
+    const Eigen::Vector2d& to = corner[at(next)];
+    const double here = value[at(i)], there = value[at(next)];
     if (here >= 0.0) kept.add(from);
     if ((here >= 0.0) != (there >= 0.0)) kept.add(from + here / (here - there) * (to - from));
   }
-  *this = kept;
+  count = kept.count;
+  std::copy_n(kept.corner.begin(), count, corner.begin());
 }
 
 PatchFrame::PatchFrame(const Eigen::Vector3d& at, const Eigen::Vector3d& n) noexcept

@@ -41,6 +41,14 @@ std::vector<Eigen::Vector2d> hull_of(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
+// Of the corners that it has alone.
+PatchPolygon copy_of(const PatchPolygon& polygon) noexcept {
+  PatchPolygon copy;
+  copy.count = polygon.count;
+  std::copy_n(polygon.corner.begin(), polygon.count, copy.corner.begin());
+  return copy;
+}
+
 double area_of(const std::vector<Eigen::Vector2d>& hull) {
   double area = 0.0;
   for (std::size_t i = 0; i < hull.size(); ++i)
@@ -245,14 +253,14 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
         return LinearField{depth.offset + closing.offset, depth.slope + closing.slope};
       };
       PatchSum sum;
-      PatchPolygon whole = placed.outline;
+      PatchPolygon whole = copy_of(placed.outline);
       if (of_ground) {
         const LinearField depth = then(ground_now);
         whole.keep(depth);
         if (whole.count > 2) sum.add(whole, placed.height, depth);
         for (const Surface& top : tops_) {
           if (whole.count < 3 || !near(top)) continue;
-          PatchPolygon covered = whole;
+          PatchPolygon covered = copy_of(whole);
           placed.clip_to(top, covered);
           if (covered.count > 2)
             covered.keep(now(normals_[at(top.direction)], top.middle) - ground_now);
@@ -262,7 +270,7 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
       for (const Surface& top : tops_) {
         if (top.direction != static_cast<int>(direction) || !near(top)) continue;
         const LinearField at_start = now(n, top.middle), depth = then(at_start);
-        PatchPolygon polygon = placed.outline;
+        PatchPolygon polygon = copy_of(placed.outline);
         polygon.keep(depth);
         if (polygon.count > 2) placed.clip_to(top, polygon);
         if (polygon.count > 2) polygon.keep(at_start - ground_now);
