@@ -104,7 +104,13 @@ json to_json(const std::vector<Suspicion>& all) {
   return list;
 }
 
-json report(const Model& model, const Extent& extent) {
+// The joint of that name whose gains are shown.
+const Joint& with_gains(const Joint& joint, const Model& gains) {
+  const int known = gains.find_joint(joint.name);
+  return known < 0 ? joint : gains.joints[at(known)];
+}
+
+json report(const Model& model, const Extent& extent, const Model& gains) {
   json out = {{"name", model.name},
               {"mass_kg", model.total_mass()},
               {"joints", json::array()},
@@ -132,8 +138,8 @@ json report(const Model& model, const Extent& extent) {
          {"velocity", number(joint.velocity)},
          {"effort", number(joint.effort)},
          {"rotor_inertia", joint.rotor_inertia},
-         {"kp", joint.kp},
-         {"kd", joint.kd},
+         {"kp", with_gains(joint, gains).kp},
+         {"kd", with_gains(joint, gains).kd},
          {"mimics", joint.mimic < 0 ? json(nullptr) : json(model.joints[at(joint.mimic)].name)}});
   }
   for (const NamedPose& pose : model.poses) out["poses"].push_back(pose.name);
@@ -180,7 +186,8 @@ void print_limbs(const Model& model) {
   for (const std::string& sensor : sensors(model)) std::printf("sensor: %s\n", sensor.c_str());
 }
 
-void print(const Model& model, const Extent& extent) {
+// gains: where kp and kd are from; model itself, or what is proposed.
+void print(const Model& model, const Extent& extent, const Model& gains) {
   std::printf("%s: %d joints (%d on the bus), %d links, %.1f kg, period %.1f ms, model hash %lld\n",
               model.name.c_str(), model.joint_count(), model.bus_count(), model.link_count(),
               model.total_mass(), 1e3 * model.period(), static_cast<long long>(model.hash));
@@ -200,11 +207,12 @@ void print(const Model& model, const Extent& extent) {
               "upper", "velocity", "effort", "kp", "kd");
   for (const Joint& joint : model.joints) {
     const int bus = model.bus_index[static_cast<std::size_t>(&joint - model.joints.data())];
-    std::printf("%4s  %-28s %-10s %8.3f %8.3f %8.2f %8.1f %8.0f %7.0f\n",
+    std::printf("%4s  %-28s %-10s %8.3f %8.3f %8.2f %8.1f %8.5g %7.4g\n",
                 bus < 0 ? "-" : std::to_string(bus).c_str(), joint.name.c_str(),
                 kind_name(joint.kind), joint.lower, joint.upper, joint.velocity, joint.effort,
-                joint.kp, joint.kd);
+                with_gains(joint, gains).kp, with_gains(joint, gains).kd);
   }
+  if (&gains != &model) std::printf("kp and kd are proposed\n");
   print_limbs(model);
   for (const PassiveJoint& passive : passive_joints_of(model)) {
     std::printf("%s has no motor: a spring of %.3g N m/rad that rests at %.3g rad\n", model.joints[at(passive.joint)].name.c_str(),
@@ -419,9 +427,10 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
                 folder.empty() ? "take the proposal below" : "one is proposed"}};
     for (const Suspicion& s : find_missing(proposed)) missing.push_back(s);
   }
+  const Model& gains = proposal ? proposed : model;  // a URDF alone has none
   const bool good = trial.refusal.empty() && (trial.stood || !trial.cannot_balance.empty());
   if (arguments.has("--json")) {
-    json out = report(model, extent);
+    json out = report(model, extent, gains);
     out["suspicious"] = to_json(suspicions);
     out["missing"] = to_json(missing);
     out["mended"] = subject.mended;
@@ -435,7 +444,7 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
     return good ? 0 : 1;
   }
-  print(model, extent);
+  print(model, extent, gains);
   if (arguments.has("--mend")) {
     std::printf("\nmended%s: %s\n", folder.empty() ? " (--propose FOLDER writes it)" : "", subject.mended.empty() ? "nothing" : "");
     for (const std::string& change : subject.mended) std::printf("  %s\n", change.c_str());

@@ -384,8 +384,8 @@ class Finder {
       if (best < 0 || pairs_[i][0].mass > pairs_[at(best)][0].mass) best = static_cast<int>(i);
     }
     if (best < 0) {
-      result_.doubts.emplace_back("no pair of arms: no hands");
       if (legs < 0) find_single_arm();
+      result_.doubts.emplace_back(result_.hands[1].joints.empty() ? "no pair of arms: no hands" : "no pair of arms: its one arm is called right");
       return;
     }
     for (std::size_t side = 0; side < 2; ++side) {

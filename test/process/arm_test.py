@@ -4,6 +4,7 @@ frames and with a tool, its fingers opened and closed.  The arm is made here."""
 
 import math
 import pathlib
+import re
 import tempfile
 import time
 
@@ -162,6 +163,9 @@ def main():
         urdf.write_text(arm())
         status, out, err = cli("check", urdf, "--propose", robot, timeout=120)
         checks.that(status == 0 and "right gripper: finger_left 0.000 closed, 0.040 open" in out, f"proposed: {out[-800:]}{err}")
+        checks.that("no pair of arms: its one arm is called right" in out and "no hands" not in out, f"one arm has a hand: {out[-800:]}")
+        gains = re.findall(r"^ +\d+  \S+ .* (\S+) +(\S+)$", out, re.M)
+        checks.that(len(gains) > 5 and all(float(kp) > 0.0 and float(kd) > 0.0 for kp, kd in gains) and "kp and kd are proposed" in out, f"the table shows the proposed gains: {out[:1500]}")
         with open(robot / "robot.yaml", "a", encoding="utf-8") as file:
             file.write("\ntools:\n  pen: {frame: flange, at: [0, 0, 0.05]}\n")
         for scene in ("arm", "arm_reach"):
