@@ -39,7 +39,7 @@ std::string source_line(const SeenSource& source, std::int64_t now_ns) {
 
 // Viewer, planner and gamepad have no ticks to be missed.
 bool has_ticks(ProcessKind kind) {
-  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge ||
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge || kind == ProcessKind::kReplay ||
          kind == ProcessKind::kController || kind == ProcessKind::kGuard;
 }
 

@@ -19,7 +19,7 @@ constexpr double kMachineTooBad = 0.01;  // share of ticks that a bare timer mis
 constexpr double kRateTolerance = 0.01;  // share of the rate asked for
 
 bool is_source(ProcessKind kind) {
-  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge;
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge || kind == ProcessKind::kReplay;
 }
 
 double share_of(std::int64_t part, std::int64_t ticks) {

@@ -70,13 +70,15 @@ TEST(Verdict, AUsersProgramIsTheControllerWhereThereIsNoOther) {
     heartbeat.realtime = realtime;
     seen.on_heartbeat(heartbeat, kPeriod);
   };
-  StackMonitor seen;
-  beat(seen, ProcessKind::kSimulator, 7, 2);
-  EXPECT_EQ(real_time_of(seen, kPeriod), 0);
-  beat(seen, ProcessKind::kUser, 9, 1);
-  EXPECT_EQ(real_time_of(seen, kPeriod), 1);
-  beat(seen, ProcessKind::kController, 8, 2);
-  EXPECT_EQ(real_time_of(seen, kPeriod), 2);
+  for (const ProcessKind source : {ProcessKind::kSimulator, ProcessKind::kBridge, ProcessKind::kReplay}) {
+    StackMonitor seen;
+    beat(seen, source, 7, 2);
+    EXPECT_EQ(real_time_of(seen, kPeriod), 0);
+    beat(seen, ProcessKind::kUser, 9, 1);
+    EXPECT_EQ(real_time_of(seen, kPeriod), 1);
+    beat(seen, ProcessKind::kController, 8, 2);
+    EXPECT_EQ(real_time_of(seen, kPeriod), 2);
+  }
 }
 
 TEST(Verdict, WhatTheMachineMissedIsToldAndNotJudged) {

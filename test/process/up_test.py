@@ -171,6 +171,8 @@ def lists(checks):
     status, said, _ = cli("scenes")
     groups = [line for line in said.splitlines() if not line.startswith(" ")]
     checks.that(status == 0 and groups == ["standing", "walking", "arms and hands", "bodies and mechanisms"], f"scenes by group: {groups}")
+    status, _, problem = cli("scenes", "wlak")
+    checks.that(status == 1 and "did you mean walk?" in problem, f"words that no scene has: {problem}")
     status, said, _ = cli("scenes", "--robot", "table")
     checks.that(status == 0 and "not for table" in said and "two legs" in said and "\nwalking\n" not in said, f"scenes for a robot without legs: {said[-600:]}")
     status, _, problem = cli("up", "--stack", "replay")
