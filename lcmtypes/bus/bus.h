@@ -19,6 +19,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "common/process/options.h"
@@ -50,7 +51,7 @@ class Bus {
   ~Bus();
 
   // Before the loop: these allocate, and throw std::runtime_error if the channel cannot be opened.
-  // What is passed by reference must outlive the bus.
+  // What is passed by reference must outlive the bus; a handler that is a temporary, as a lambda written in the call, is kept.
 
   // The newest admitted message.
   template <class T>
@@ -66,8 +67,18 @@ class Bus {
   // clock when it came) where it takes one, called inside receive().
   template <class T, class Handler>
   void listen(const Channel<T>& channel, Handler& handler) {
+    static_assert(kHears<Handler, T>,
+                  "Bus::listen: the handler takes const T& of the channel's message T, then std::span<const std::uint8_t> or std::int64_t "
+                  "where it wants the bytes or the time");
     subscribe(channel, kLongQueue, const_cast<std::remove_const_t<Handler>*>(&handler),
               &on_each<T, CallItself{}, Handler>);
+  }
+  template <class T, class Handler>
+    requires(!std::is_lvalue_reference_v<Handler>)
+  void listen(const Channel<T>& channel, Handler&& handler) {
+    const auto kept = std::make_shared<std::remove_const_t<Handler>>(std::move(handler));
+    kept_.push_back(kept);
+    listen(channel, *kept);
   }
   // The same to a method: listen<&Guard::hear_state>(channel::kState, *this).
   template <auto kMethod, class Owner>
@@ -120,6 +131,11 @@ class Bus {
     std::int64_t now_ns;  // steady clock
     bool whole;           // false: LCM gave an impossible size
   };
+  template <class Handler, class T>
+  static constexpr bool kHears =
+      std::is_invocable_v<Handler&, const T&> || std::is_invocable_v<Handler&, const T&, std::int64_t> ||
+      std::is_invocable_v<Handler&, const T&, std::span<const std::uint8_t>>;
+
   using Handle = void (*)(void* target, const Incoming&, ChannelHealth&) noexcept;
   struct Subscription;
 
@@ -197,6 +213,7 @@ class Bus {
   std::unique_ptr<UdpmReceiver> receiver_;  // of udpm; the other providers are received by liblcm
   BusCounters counters_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
+  std::vector<std::shared_ptr<void>> kept_;  // handlers that were temporaries
 };
 
 }  // namespace twinbus::lcmtypes

@@ -56,6 +56,22 @@ TEST(Bus, EveryStopOfABatchIsHandledInOrder) {
   EXPECT_EQ(kinds, (std::vector{StopKind::kHold, StopKind::kNone, StopKind::kOff}));
 }
 
+TEST(Bus, AHandlerWrittenInTheCallIsKept) {
+  Bus bus(memory());
+  std::int64_t sum = 0, heard_at = 0;
+  bus.listen(channel::kState, [&sum, many = std::vector<std::int64_t>(1000, 1)](const RobotState& state) mutable {
+    sum += state.tick * many.back()++;
+  });
+  bus.listen(channel::kStateSim, [&](const RobotState&, std::int64_t now_ns) { heard_at = now_ns; });
+  for (const std::int64_t tick : {1, 2}) {
+    ASSERT_TRUE(bus.send(channel::kState, state_at(tick)));
+    ASSERT_TRUE(bus.send(channel::kStateSim, state_at(tick)));
+  }
+  bus.receive(0);
+  EXPECT_EQ(sum, 1 * 1 + 2 * 2);
+  EXPECT_GT(heard_at, 0);
+}
+
 // Whether a handler judges for itself or a Latest does, the heartbeat tells the same.
 TEST(Bus, TheHeartbeatTellsHowEachChannelDoes) {
   Bus bus(memory());

@@ -10,13 +10,12 @@ int main() {
   JointCommand command{.controller_id = 20};
   for (int j = 0; j < model.joint_count(); ++j) command.kp[j] = model.joints[j].kp, command.kd[j] = model.joints[j].kd;
   Bus bus({});
-  auto answer = [&, joint = model.find_joint("LARM_SHOULDER_R"), begin = RobotState{}](const RobotState& state) mutable {
+  bus.listen(channel::kState, [&, joint = model.find_joint("LARM_SHOULDER_R"), begin = RobotState{}](const RobotState& state) mutable {
     if (begin.tick == 0) begin = state, command.q = state.q, command.tau = state.tau;
     command.tick = state.tick, command.run_id = state.run_id, command.term = state.term;
     command.model_hash = state.model_hash, command.joint_count = state.joint_count;
     command.q[joint] = begin.q[joint] + 0.1 * (1 - std::cos(1.6e-9 * (state.time_ns - begin.time_ns)));
     if (!bus.send(channel::kCommand, command)) std::abort();
-  };
-  bus.listen(channel::kState, answer);
+  });
   while (bus.receive(1.0) >= 0) {}
 }
