@@ -1,5 +1,5 @@
 // A floating-point number as the shortest decimal that reads back to the same number: letter for letter what
-// std::to_chars writes, several times as fast.  Exports print ten million numbers per second.
+// std::to_chars writes, and faster: a third of the time of `twinbus log csv` goes into it.
 //
 // The method is R. Giulietti's, "The Schubfach way to render doubles" (2021): of the decimals inside the interval that
 // rounds to the number, the shortest, and of those the nearest, found with one multiplication by a power of ten per
