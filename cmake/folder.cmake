@@ -27,8 +27,6 @@ function(twinbus_folder folder)
   endforeach()
   if(sources)
     add_library(${name} STATIC ${sources})
-    # Each file alone in sanitizer builds too: helpers of neighbours share plain names (kRounding, corner).
-    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(${name} PUBLIC ${public} PRIVATE ${private} ${ARG_LIBRARIES})
   else()
     add_library(${name} INTERFACE)

@@ -8,6 +8,7 @@
 #include "common/math/index.h"
 #include "common/math/splitmix64.h"
 #include "planner/arm_question.h"
+#include "planner/joint_turns.h"
 #include "planner/search/edge_check.h"
 #include "planner/timing/motion_effort.h"
 #include "robot/kinematics/arm_span.h"
@@ -17,7 +18,6 @@ namespace twinbus::inline planner {
 
 namespace {
 
-constexpr double kInside = 0.01;       // goal postures stay this far inside the joint limits [rad]
 constexpr double kHandTolerance = 2e-4;  // of a goal posture [m]
 constexpr double kTurnTolerance = 2e-3;  // [rad]
 constexpr double kStubborn = 0.05;       // a miss that more tries may mend [m]

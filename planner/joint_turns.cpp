@@ -9,7 +9,6 @@ namespace twinbus::inline planner {
 
 namespace {
 constexpr double kTurn = 2.0 * M_PI;
-constexpr double kInside = 0.01;  // postures stay this far inside the joint limits [rad]
 }  // namespace
 
 JointTurns::JointTurns(const Model& model, const std::vector<int>& joints, const JointPoint& start)

@@ -10,6 +10,8 @@
 
 namespace twinbus::inline planner {
 
+constexpr double kInside = 0.01;  // goal postures stay this far inside the joint limits [rad]
+
 struct JointTurns {
   JointTurns() = default;
   // From where each joint is, half a turn to either side as far as its limits allow; one that cannot turn once around: its limits.

@@ -21,7 +21,7 @@ constexpr int kSteps = 8;
 constexpr double kTolerance = 2e-4;  // [m], [rad]
 constexpr double kEvery = 0.004;     // of a motion [s]
 constexpr int kPairs = 32;
-constexpr int kMostKnots = 60;
+constexpr int kMostLiftKnots = 60;
 constexpr double kRound = 0.1;  // [rad]
 
 // The motion is looked at as a whole.
@@ -88,7 +88,7 @@ bool Lift::find(const Hand& hand, const JointPoint& start, JointPath& way) {
 
 TimedPath Lift::timed(const JointPath& way, const TimingLimits& limits, double knot_spacing) {
   Open open;
-  TimedPath path = time_path(RoundedPath::parts(open, way, kRound), limits, knot_spacing, kMostKnots);
+  TimedPath path = time_path(RoundedPath::parts(open, way, kRound), limits, knot_spacing, kMostLiftKnots);
   std::array<PairDistance, kPairs> pairs;
   JointPoint q, qd, qdd;
   for (double t = 0.0; !path.empty() && t <= path.back().time + kEvery; t += kEvery) {

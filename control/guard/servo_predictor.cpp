@@ -24,7 +24,6 @@ constexpr double kRests = 0.02;        // [rad/s or m/s]
 constexpr double kLeastBrake = 1.0;    // [rad/s^2 or m/s^2]
 constexpr int kLimitPasses = 4;        // of a step, until it is known which torques and joints are at their limits
 constexpr double kStop = 1e6;          // of a stop, beside inertia [kg m^2 or kg]
-constexpr std::int64_t kMostLeftOut = 10'000;
 
 // The smaller of two that agree on where to go, or zero.
 double agreed(double a, double b) noexcept { return a * b > 0.0 ? (std::abs(a) < std::abs(b) ? a : b) : 0.0; }

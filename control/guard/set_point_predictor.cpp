@@ -14,10 +14,9 @@ namespace {
 // A first command farther than this from its joint is not taken for its set-point [rad or m].
 constexpr double kServoError = 0.1;
 // A set-point of ours that is farther than this from its joint is a wrong guess [rad or m].
-constexpr double kLost = 0.3;
-constexpr std::int64_t kMostLeftOut = 10'000;  // commands or looks in a row [ticks]
+constexpr double kLongestLost = 0.3;
 // A set-point this close to its command is there [rad or m].
-constexpr double kFollows = 1e-9;
+constexpr double kFollowsWithin = 1e-9;
 
 TWINBUS_INLINE double between(double x, double least, double most) noexcept {
   x = x < least ? least : x;
@@ -139,7 +138,7 @@ void SetPointTrack::move_bound(std::size_t k, double measured) noexcept {
     q_[k] = std::clamp(asked_[k] + q, before - limit * period_, before + limit * period_);
     v_[k] = std::clamp(asked_qd_[k] + v, -limit, limit);
   }
-  q_[k] = std::clamp(q_[k], measured - kLost, measured + kLost);
+  q_[k] = std::clamp(q_[k], measured - kLongestLost, measured + kLongestLost);
   look(k, measured);
 }
 
@@ -182,7 +181,7 @@ void SetPointTrack::move_free(const RobotState& state, double since) noexcept {
     const double limit = limit_[k], measured = state.q[k];
     const double most = limit * since;
     const double q =
-        between(between(asked_[k], q_[k] - most, q_[k] + most), measured - kLost, measured + kLost);
+        between(between(asked_[k], q_[k] - most, q_[k] + most), measured - kLongestLost, measured + kLongestLost);
     const double behind = q - measured, v = asked_v_[k], a = acceleration_[k];
     const double faster = std::abs(asked_qd_[k]) > std::abs(v) ? asked_qd_[k] : v;
     free_.q[k] = q;
@@ -251,7 +250,7 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
     }
     q_[k] = free_.q[k];
     v_[k] = asked_qd_[k];
-    if (std::abs(asked_[k] - q_[k]) < kFollows) {
+    if (std::abs(asked_[k] - q_[k]) < kFollowsWithin) {
       obeyed_[k] = {free_.obeyed[k], free_.obeyed_v[k], brake_[k]};
       held_[k] = {free_.held[k], free_.held_v[k], brake_[k]};
     } else {

@@ -21,6 +21,8 @@
 
 namespace twinbus::inline control {
 
+constexpr std::int64_t kMostLeftOut = 10'000;  // commands or looks in a row [ticks]
+
 // Of one joint, from where it is measured.
 struct Course {
   double first = 0.0;  // moved when the brake comes [rad or m]

@@ -5,11 +5,11 @@
 namespace twinbus::inline control {
 
 namespace {
-constexpr double kBrakeTime = 0.3;  // from full speed to rest [s]
+constexpr double kForecastBrakeTime = 0.3;  // from full speed to rest [s]
 }
 
 bool ArmForecast::advance(bool brakes, double dt) noexcept {
-  if (brakes) share_ = std::max(0.0, share_ - dt / kBrakeTime);
+  if (brakes) share_ = std::max(0.0, share_ - dt / kForecastBrakeTime);
   gone_ += share_ * dt;
   posture_.advance(share_ * dt);
   if (path_id_ == 0) return true;

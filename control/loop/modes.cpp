@@ -10,7 +10,6 @@ namespace twinbus::inline control {
 
 namespace {
 constexpr double kBrake = 0.3;         // [s] in which hold brings a moving joint to rest
-constexpr double kStopTime = 0.4;      // [s] in which a balanced stop ends a motion
 constexpr double kFallenTilt = 0.7;    // [rad]
 constexpr double kIdleDamping = 0.1;   // share of kd
 constexpr const char* kHasFallen =

@@ -37,6 +37,8 @@
 
 namespace twinbus::inline control {
 
+constexpr double kStopTime = 0.4;  // in which a balanced stop ends a motion, and a sway or squat makes room for one [s]
+
 // The tick that is being answered.
 struct Moment {
   const RobotState& state;

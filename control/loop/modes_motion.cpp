@@ -9,7 +9,6 @@
 namespace twinbus::inline control {
 
 namespace {
-constexpr double kStopTime = 0.4;    // [s] in which a sway or squat makes room for a motion
 constexpr double kApproach = 1.5;    // [s] to the first frame of a motion, and back, at least
 constexpr double kPatience = 3.0;    // [s] with a joint that the guard holds on that way
 constexpr double kLevel = 0.005;     // a motion that is no deeper asks nothing of the knees [m]

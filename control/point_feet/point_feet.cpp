@@ -15,8 +15,8 @@ namespace twinbus::inline control {
 namespace {
 // Natural frequencies in those of the pendulum, damping ratios.
 constexpr double kUp = 2.2, kUpDamping = 0.9;
-constexpr double kTurn = 2.6, kTurnDamping = 0.8;
-constexpr double kLevel = 1.3, kLevelDamping = 0.9;
+constexpr double kTurning = 2.6, kTurnDamping = 0.8;
+constexpr double kLevelling = 1.3, kLevelDamping = 0.9;
 constexpr double kTrotLevel = 0.9, kTrotRate = 2.0;  // the second: of the velocity alone, in frequencies of the pendulum
 constexpr double kFriction = 0.5;     // that feet count on
 constexpr double kMostForce = 1.2;    // of a foot, in weights
@@ -383,8 +383,8 @@ void PointFeet::push(const Estimator& estimator) noexcept {
   TrunkWrench wanted;
   const bool steps = gait_.steps();
   const bool falls_on = steps && !gait_.crawls();
-  const double level = falls_on ? kTrotLevel * w : kLevel * w;
-  const double rate = falls_on ? kTrotRate * w : 2.0 * kLevelDamping * kLevel * w;
+  const double level = falls_on ? kTrotLevel * w : kLevelling * w;
+  const double rate = falls_on ? kTrotRate * w : 2.0 * kLevelDamping * kLevelling * w;
   const Eigen::Vector3d off = reference_ - com_, drift = reference_velocity_ - velocity_;
   wanted.force.head<2>() = body_.mass * (level * level * off + rate * drift + reference_acceleration_).head<2>();
   wanted.force.z() = body_.mass * std::max(0.0, kGravity + kUp * kUp * w * w * off.z() + 2.0 * kUpDamping * kUp * w * drift.z() +
@@ -392,7 +392,7 @@ void PointFeet::push(const Estimator& estimator) noexcept {
   const Eigen::Vector3d turn = rotation_vector(base_reference_ * base_.transpose());
   const Eigen::Vector3d spin = velocity_wanted_.z() * Eigen::Vector3d::UnitZ() - omega_;
   const Eigen::Matrix3d inertia = base_ * body_.inertia * base_.transpose();
-  wanted.moment = inertia * (kTurn * kTurn * w * w * turn + 2.0 * kTurnDamping * kTurn * w * spin);
+  wanted.moment = inertia * (kTurning * kTurning * w * w * turn + 2.0 * kTurnDamping * kTurning * w * spin);
   if (body_.two()) wanted.moment.z() = 0.0;  // which no point gives
   std::array<PointFoot, kPointFeet> feet;
   pressed_.setZero();

@@ -8,7 +8,7 @@ namespace twinbus::inline control {
 
 namespace {
 // How much a share of the weight that is missing costs, level and upright, and a moment likewise about x and y, and about z.
-constexpr double kLevel = 1.0, kUp = 4.0, kTilt = 6.0, kTurn = 1.0;
+constexpr double kLevelWeight = 1.0, kUpWeight = 4.0, kTiltWeight = 6.0, kTurnWeight = 1.0;
 constexpr double kEffort = 2e-3;  // of the forces themselves
 constexpr double kPenalty = 0.3;  // of ADMM
 }  // namespace
@@ -51,7 +51,7 @@ const PointForces& PointForceShare::solve(const std::array<PointFoot, kPointFeet
     map.block<3, 3>(3, column) = skew(feet[i].arm / length_);
   }
   Eigen::Matrix<double, 6, 1> cost, asked;
-  cost << kLevel, kLevel, kUp, kTilt, kTilt, kTurn;
+  cost << kLevelWeight, kLevelWeight, kUpWeight, kTiltWeight, kTiltWeight, kTurnWeight;
   asked << wanted.force / weight_, wanted.moment / (weight_ * length_);
   Eigen::Matrix<double, 12, 12> system = map.transpose() * cost.asDiagonal() * map;
   system.diagonal().array() += kEffort + kPenalty;

@@ -12,7 +12,7 @@ constexpr double kPeriod = 2.5;     // times sqrt(h / g)
 constexpr double kLift = 0.2;       // of the height
 constexpr double kFroude = 0.9;     // fastest, of sqrt(g h)
 constexpr double kSideways = 0.5;   // of it
-constexpr double kTurn = 0.2;       // of sqrt(g / h)
+constexpr double kSpin = 0.2;       // of sqrt(g / h)
 constexpr double kFarthest = 0.45;  // of the height
 constexpr double kCrawlFroude = 0.07, kCrawlTurn = 0.03;  // of a crawl, as above
 constexpr double kSlower = 0.8;     // of what a crawl does at most: it trots no longer
@@ -27,7 +27,7 @@ StepGait::StepGait(const PointFeetBody& body, PointGait wanted) noexcept
       farthest_(kFarthest * body.height),
       wanted_(body.two() ? PointGait::kTrot : wanted) {
   const double scale = std::sqrt(kGravity * body.height);
-  most_ << kFroude * scale, kSideways * kFroude * scale, body.two() ? 0.0 : kTurn * omega_;  // two points cannot turn the robot
+  most_ << kFroude * scale, kSideways * kFroude * scale, body.two() ? 0.0 : kSpin * omega_;  // two points cannot turn the robot
   most_crawl_ << kCrawlFroude * scale, kSideways * kCrawlFroude * scale, kCrawlTurn * omega_;
 }
 

@@ -3,14 +3,14 @@
 namespace twinbus::inline control {
 
 namespace {
-constexpr double kNear = 0.001;                // a wish no further than this asks for nothing [m]
+constexpr double kIdle = 0.001;                // a wish no further than this asks for nothing [m]
 constexpr double kNearTurn = 0.005;            // [rad]
 constexpr double kLead = 0.15;                 // the wish is never further from the hand [m]
 constexpr double kLeadTurn = 0.5;              // [rad]
-constexpr std::int64_t kAgainNs = 60'000'000;  // the same goal once more
+constexpr std::int64_t kGoalAgainNs = 60'000'000;  // the same goal once more
 constexpr std::int64_t kPatienceNs = 3'000'000'000;  // with a planner that does not answer
 constexpr std::int64_t kLongestNs = 10'000'000'000;  // of one short way
-constexpr std::int64_t kFreshNs = 2'000'000'000;     // then a wish begins anew where the hand is
+constexpr std::int64_t kHandFreshNs = 2'000'000'000;     // then a wish begins anew where the hand is
 constexpr int kCancels = 5;
 constexpr float kSpeed = 0.4F;  // share of the joints' velocity limits
 }  // namespace
@@ -34,7 +34,7 @@ void HandTarget::move(const Eigen::Vector3d& by, const Eigen::Vector3d& turn, co
   const Eigen::Vector3d place = hand.translation();
   const Eigen::Quaterniond at(hand.linear());
   const bool idle = phase_ == Phase::kIdle || phase_ == Phase::kRefused;
-  if (!begun_ || (idle && now_ns_ - idle_ns_ > kFreshNs)) wanted_ = asked_ = reached_ = place;
+  if (!begun_ || (idle && now_ns_ - idle_ns_ > kHandFreshNs)) wanted_ = asked_ = reached_ = place;
   if (!begun_ || !turned_) wanted_turn_ = asked_turn_ = reached_turn_ = at;
   begun_ = true;
   wanted_ += by;
@@ -109,9 +109,9 @@ bool HandTarget::next(std::int64_t now_ns, std::int64_t run_id, std::int64_t new
   const std::int64_t longest = moving_ ? kLongestNs : kPatienceNs;  // a path may not be followed
   if (phase_ == Phase::kGoing && now_ns - asked_ns_ > longest) stop();
   const bool idle = phase_ == Phase::kIdle || phase_ == Phase::kRefused;
-  const bool elsewhere = (wanted_ - asked_).norm() > kNear || (turned_ && wanted_turn_.angularDistance(asked_turn_) > kNearTurn);
+  const bool elsewhere = (wanted_ - asked_).norm() > kIdle || (turned_ && wanted_turn_.angularDistance(asked_turn_) > kNearTurn);
   const bool wants = begun_ && idle && elsewhere;
-  const bool again = phase_ == Phase::kAsked && now_ns - sent_ns_ >= kAgainNs;
+  const bool again = phase_ == Phase::kAsked && now_ns - sent_ns_ >= kGoalAgainNs;
   if (!wants && !again) return false;
   if (wants) {
     asked_ = wanted_;

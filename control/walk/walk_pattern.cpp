@@ -26,7 +26,7 @@ constexpr double kHaltTime = 0.10;  // from the fastest walk to none [s]
 constexpr double kStandingStride =
     0.6;  // share of the longest step over which a robot stands still
 
-constexpr int kShorter = 6;          // steps tried, where one that keeps the feet apart is farther than the legs reach,
+constexpr int kStepsShorter = 6;          // steps tried, where one that keeps the feet apart is farther than the legs reach,
 constexpr double kShorterBy = 0.85;  // each by this share of the last
 constexpr double kBeside = 0.015, kParallel = 0.03;  // so nearly feet stand side by side [m], [rad]
 constexpr double kForget = 0.8;     // share of an unevenness that the next landing leaves
@@ -152,7 +152,7 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
     width += (second ? 1.0 : 0.5) * (gait_.standing_width - width);
   }
   Foothold next;
-  for (int tries = 0; tries < kShorter; ++tries, velocity *= kShorterBy) {
+  for (int tries = 0; tries < kStepsShorter; ++tries, velocity *= kShorterBy) {
     next = kept_apart(gait_, from, foot, next_foothold(from, foot, velocity, period_, width));
     if (gait_.reaches(from, foot, next)) break;
   }

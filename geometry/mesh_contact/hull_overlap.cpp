@@ -11,11 +11,11 @@ namespace twinbus::inline geometry {
 
 namespace {
 
-constexpr double kFlat = 1e-6;          // of the size, a corner may lie beyond a face
+constexpr double kBeyondFace = 1e-6;          // of the size, a corner may lie beyond a face
 constexpr double kParallel = 1e-3;      // sine of two edges that span no direction of their own
 constexpr double kFaceFirst = 0.95;     // of a face's depth: only an edge's that is less is taken instead
 constexpr std::size_t kMostEdges = 64;  // of each body in what overlaps
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 using Points = std::array<Eigen::Vector3d, HullOverlap::kMost>;
 
@@ -30,7 +30,7 @@ struct Body {
     for (std::size_t i = 0; i < count; ++i) at[i] = pose * of.vertices()[i];
   }
   double lowest(const Eigen::Vector3d& n) const noexcept {
-    double low = kInfinity;
+    double low = kNoBound;
     for (std::size_t i = 0; i < count; ++i) low = std::min(low, n.dot(at[i]));
     return low;
   }
@@ -110,7 +110,7 @@ void under_crossings(const Body& a, const Body& b, HullOverlap& best) noexcept {
 
 bool is_hull(const ContactMesh& mesh) {
   if (!mesh.closed() || mesh.vertices().size() > HullOverlap::kMost) return false;
-  const double most = kFlat * mesh.box().sizes().maxCoeff();
+  const double most = kBeyondFace * mesh.box().sizes().maxCoeff();
   return std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](const ContactFace& face) {
     return std::all_of(mesh.vertices().begin(), mesh.vertices().end(),
                        [&](const Eigen::Vector3d& vertex) { return face.normal.dot(vertex) <= face.offset + most; });
@@ -121,7 +121,7 @@ HullOverlap hull_overlap(const ContactMesh& a, const Eigen::Isometry3d& pose_a, 
                          const Eigen::Isometry3d& pose_b) noexcept {
   const Body one(a, pose_a), other(b, pose_b);
   HullOverlap best;
-  best.depth = kInfinity;
+  best.depth = kNoBound;
   if (under_faces(one, other, -1.0, best) && under_faces(other, one, 1.0, best)) under_crossings(one, other, best);
   return best;
 }

@@ -21,6 +21,8 @@ struct BusOptions;
 
 namespace twinbus::inline launcher {
 
+constexpr double kFirstState = 2.0;  // until a robot must be heard [s]
+
 class BusLink {
  public:
   // url empty: $LCM_DEFAULT_URL, else the project's own.  Throws std::runtime_error if the bus cannot be opened.

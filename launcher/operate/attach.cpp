@@ -23,7 +23,6 @@ namespace {
 
 constexpr int kRepeats = 5;                    // of a change, at once
 constexpr double kApart = 0.05, kAgain = 1.0;  // [s]
-constexpr double kFirstState = 2.0;            // until a robot must be heard [s]
 
 struct HeldShape {
   ObstacleShape shape;

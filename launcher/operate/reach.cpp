@@ -40,8 +40,7 @@ namespace twinbus::inline launcher {
 
 namespace {
 
-constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
-constexpr double kAskAgain = 0.2;      // [s]
+constexpr double kGoalAgain = 0.2;      // [s]
 constexpr double kPlanTimeout = 15.0;  // [s]
 constexpr double kWords = 0.3;         // [s] until the planner has said why
 constexpr double kFarthest = 10.0;     // [m]
@@ -236,7 +235,7 @@ void ask(Watcher& watcher, ArmGoal& goal) {
   const std::int64_t begin = monotonic_ns();
   std::int64_t asked = 0;
   while (!quit_requested() && !watcher.answered && seconds_since(begin) < kPlanTimeout) {
-    if (asked == 0 || seconds_since(asked) > kAskAgain) {
+    if (asked == 0 || seconds_since(asked) > kGoalAgain) {
       asked = monotonic_ns();
       goal.utime = wall_us();
       ++goal.sequence;

@@ -24,7 +24,7 @@ constexpr double kAskSwitchAgain = 0.2;  // a lost request is sent again, with i
 constexpr double kAfterRefusal = 0.6;    // a refused one is asked anew: every refusal is an event [s]
 constexpr double kStandbyTimeout = 6.0;  // a shadow needs a fresh anchor [s]
 constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
-constexpr double kFollowing = 1.0;  // it has faded in and swings with the active source by then [s]
+constexpr double kFadedIn = 1.0;  // it has faded in and swings with the active source by then [s]
 constexpr double kNearPosture = 0.045;   // the source itself refuses 0.05 [rad]
 constexpr double kSwitchTimeout = 15.0;  // with when-safe: a stop and 2 s of rest come first [s]
 constexpr double kBusyTimeout =
@@ -252,7 +252,7 @@ into standby first.  Prints why when it is refused; nothing has moved then.
                                                    target.status.role == Role::kStandbyShadow);
   if (!already_standby) change.put_into_standby(track);
   if (!arguments.has("--align"))
-    change.wait_for_posture(already_standby || track ? 0.0 : kFollowing);
+    change.wait_for_posture(already_standby || track ? 0.0 : kFadedIn);
   const std::int64_t begin = monotonic_ns();
   std::string why;
   if (!change.hand_over(policy == "now" ? SwitchPolicy::kNow : SwitchPolicy::kWhenSafe,

@@ -26,7 +26,7 @@ constexpr double kRefusalTime = 0.3;  // in which a controller says that it does
 constexpr double kRest = 0.02;        // slower the centre of mass rests [m/s]
 constexpr double kRestTime = 0.5;     // [s]
 constexpr double kMotionEnds = 10.0;  // a motion that is played has been ended by then [s]
-constexpr int kRepeats = 3;           // of a list, in case one is lost
+constexpr int kListRepeats = 3;           // of a list, in case one is lost
 
 // A robot that cannot do them is not asked.
 StepList read_feasible_steps(const std::string& file, const Model& model, const Gait& gait) {
@@ -111,9 +111,9 @@ int walk_steps(const Arguments& arguments) {
     throw std::runtime_error("the robot that runs is not " + model.name + ": say --robot");
   (void)bus.seen().take_events();
   list.run_id = request.run_id;
-  for (int i = 0; i < kRepeats; ++i) {
+  for (int i = 0; i < kListRepeats; ++i) {
     bus.send(list);  // stamped once
-    bus.listen(kRefusalTime / kRepeats);
+    bus.listen(kRefusalTime / kListRepeats);
   }
   for (const std::string& event : bus.seen().take_events()) {
     if (event.find("footstep") == std::string::npos) continue;

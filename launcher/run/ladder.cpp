@@ -25,7 +25,6 @@ constexpr double kParted = 1e-6;       // [m]: what converges parts by less than
 constexpr double kWide = 1.6;          // two steps of which one is so many times the other have room for one between
 constexpr double kAlike = 1.1;         // two runs of which one is at most so many times the work of the other
 constexpr int kMostBetween = 4;        // steps between those of a ladder
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
 constexpr double kLocal[] = {30.0, 10.0, 3.0, 1.0, 0.3, 0.1, 0.03, 0.01};  // errors of parts [m/s^2]
 constexpr double kDear = 2.0;  // times the work of what is chosen: the next such run will be dearer still
@@ -148,7 +147,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
 
 Apart distance(const Track& a, const Track& b) {
   Apart apart;
-  if (!a.whole || !b.whole || a.at.size() != b.at.size()) return {kInfinity, 0, 0};
+  if (!a.whole || !b.whole || a.at.size() != b.at.size()) return {kUnbounded, 0, 0};
   for (std::size_t i = 0; i < a.at.size(); ++i) {
     for (std::size_t k = 0; k < a.at[i].size(); ++k) {
       const double d = (a.at[i][k] - b.at[i][k]).norm();
@@ -214,7 +213,7 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
     Rung rung = rung_of(whole.order, step, track, yardstick, request.duration);
     rung.less = less;
     rung.less.asleep = less.asleep && track.slept;  // else the run is the same without
-    if (track.stopped != yardstick.stopped) rung.apart = kInfinity;
+    if (track.stopped != yardstick.stopped) rung.apart = kUnbounded;
     ladder.rungs.insert(ladder.rungs.end() - 1, rung);
     if (request.progress) request.progress(ladder, rung);
     const int now = ladder.choose(request.error);  // the yardstick has moved
@@ -315,7 +314,7 @@ void add_local(const LadderRequest& request, const Run& run, double period, cons
     for (const double local : kLocal) {
       const int chosen = ladder.choose(request.error);
       if ((chosen < 0 && !request.all) || quit_requested()) return;
-      const double most = chosen < 0 ? kInfinity : kDear * ladder.rungs[at(chosen)].work;
+      const double most = chosen < 0 ? kUnbounded : kDear * ladder.rungs[at(chosen)].work;
       Rung rung = rung_of(order, period, run(at_rung(scene, order, period, local)), yardstick, request.duration);
       rung.local = local;
       ladder.rungs.insert(ladder.rungs.end() - 1, rung);
@@ -365,14 +364,14 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
             parted_bodies(tracks.back(), run(twin_of(at_rung(scene, order, step))));
         if (!ladder.parted.empty() && !request.all) {
           look_again();
-          ladder.agreement = kInfinity;
+          ladder.agreement = kUnbounded;
           ladder.moved = tracks.back().moved;
           return ladder;
         }
       }
       if (order == orders) {
         look_again();
-        ladder.agreement = have_top ? ladder.rungs[last_top].apart : kInfinity;
+        ladder.agreement = have_top ? ladder.rungs[last_top].apart : kUnbounded;
       }
       if (request.progress) request.progress(ladder, ladder.rungs.back());
       if (quit_requested()) return ladder;

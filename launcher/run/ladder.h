@@ -35,6 +35,8 @@
 
 namespace twinbus::inline launcher {
 
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();  // an error or cost that is not known
+
 // Where everything of a run was, every 20 ms.
 struct Track {
   std::vector<std::vector<Eigen::Vector3d>> at;  // world [m]

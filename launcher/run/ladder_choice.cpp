@@ -16,7 +16,6 @@ constexpr double kMargin = 1.3;        // of the error asked for
 constexpr double kSure = 0.97;         // of it may be used up where two methods say how well the yardstick is known
 constexpr double kAgreement = 2.0;     // of it the finest two runs agree to so small a part
 constexpr double kSecond = 3.0;        // times it order 2 may be off where they do
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -69,7 +68,7 @@ std::string Ladder::why_none_holds(double error) const {
 
 double Ladder::allowed(double error) const {
   const Rung* second = finest_second(rungs);
-  const double known = second == nullptr ? kInfinity : agreement + second->apart;
+  const double known = second == nullptr ? kUnbounded : agreement + second->apart;
   return std::max(error / kMargin, kSure * error - known);
 }
 

@@ -11,7 +11,6 @@ namespace twinbus::inline launcher {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kWritten = 1e300;  // stands for it
 
 // Of what is never below zero.
@@ -31,7 +30,7 @@ bool read(std::istream& in, Moved& moved) {
   std::size_t robots = 0;
   const auto number = [&](double& to) {
     if (!(in >> to)) return false;
-    if (to >= kWritten) to = kInfinity;
+    if (to >= kWritten) to = kUnbounded;
     return true;
   };
   if (!(in >> robots) || robots > 1000 || !number(moved.links) || !number(moved.lay)) return false;
@@ -85,7 +84,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
       word != "ladder" || version != 12 || rungs > 1000 || parted > 10000) {
     return false;
   }
-  const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
+  const auto endless = [](double value) { return value < 0.0 ? kUnbounded : value; };
   found.agreement = endless(found.agreement);
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;

@@ -38,7 +38,6 @@ namespace {
 
 constexpr double kFarthest = 1e5;                     // [m]
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
-constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
 
 using FootForces = std::vector<std::array<float, 2>>;  // vertical, left and right, per tick [N]
 

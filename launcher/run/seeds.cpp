@@ -22,7 +22,6 @@ namespace twinbus::inline launcher {
 namespace {
 
 constexpr std::uint64_t kMostSeeds = 1'000'000;
-constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
 constexpr std::size_t kMostListed = 20;               // of seeds that failed for one cause
 
 bool number(const std::string& word, std::uint64_t& value) {

@@ -12,6 +12,8 @@
 
 namespace twinbus::inline launcher {
 
+constexpr std::int64_t kProgressEvery = 500'000'000;  // of a line on a terminal [ns]
+
 struct SeedRange {
   std::uint64_t first = 1, last = 0;  // none when last < first
 };

@@ -15,6 +15,8 @@
 
 namespace twinbus::inline launcher {
 
+void refuse_change(const std::string& why) { throw std::runtime_error(why); }
+
 namespace {
 
 using Json = nlohmann::json;
@@ -24,8 +26,6 @@ constexpr std::array<const char*, 2> kSides = {"left", "right"};
 constexpr std::array<const char*, 4> kEdges = {"front", "back", "left", "right"};
 constexpr double kFinest = 1e-9;  // a place or angle below this is none [m, rad]
 
-[[noreturn]] void refuse(const std::string& why) { throw std::runtime_error(why); }
-
 std::string emitted(const YAML::Node& node) {
   YAML::Emitter emitter;
   emitter << node;
@@ -34,7 +34,7 @@ std::string emitted(const YAML::Node& node) {
 
 std::string number_text(const Json& json, const std::string& what) {
   const double value = json.is_number() ? json.get<double>() : std::nan("");
-  if (!std::isfinite(value)) refuse(what + " must be a finite number");
+  if (!std::isfinite(value)) refuse_change(what + " must be a finite number");
   return formatted("%.9g", value);
 }
 
@@ -42,7 +42,7 @@ std::string number_text(const Json& json, const std::string& what) {
 void put_triple(const Json& limb, const char* key, const std::string& what, YAML::Node node) {
   const auto found = limb.find(key);
   if (found == limb.end()) return;
-  if (!found->is_array() || found->size() != 3) refuse(what + ": " + key + " must be three numbers");
+  if (!found->is_array() || found->size() != 3) refuse_change(what + ": " + key + " must be three numbers");
   YAML::Node triple(YAML::NodeType::Sequence);
   triple.SetStyle(YAML::EmitterStyle::Flow);
   bool zero = true;
@@ -56,9 +56,10 @@ void put_triple(const Json& limb, const char* key, const std::string& what, YAML
 
 void put_place(const Json& limb, const std::string& what, YAML::Node node) {
   if (const auto frame = limb.find("frame"); frame != limb.end()) {
-    if (!frame->is_string()) refuse(what + ": frame must be the name of a link");
+    if (!frame->is_string()) refuse_change(what + ": frame must be the name of a link");
     for (const char c : frame->get<std::string>()) {
-      if (std::iscntrl(static_cast<unsigned char>(c)) != 0) refuse(what + ": frame must be the name of a link, without control characters");
+      if (std::iscntrl(static_cast<unsigned char>(c)) != 0)
+        refuse_change(what + ": frame must be the name of a link, without control characters");
     }
     if (!node["frame"] || node["frame"].as<std::string>() != frame->get<std::string>()) {
       node["frame"] = frame->get<std::string>();
@@ -70,11 +71,11 @@ void put_place(const Json& limb, const std::string& what, YAML::Node node) {
 }
 
 void refuse_other_keys(const Json& json, const std::string& what, std::initializer_list<const char*> known) {
-  if (!json.is_object()) refuse(what + " must be an object");
+  if (!json.is_object()) refuse_change(what + " must be an object");
   for (const auto& [key, value] : json.items()) {
     bool good = false;
     for (const char* name : known) good = good || key == name;
-    if (!good) refuse(what + ": '" + key + "' is not known");
+    if (!good) refuse_change(what + ": '" + key + "' is not known");
   }
 }
 
@@ -89,7 +90,7 @@ void put_limbs(const Json& limbs, const char* key, YAML::Node yaml) {
     const std::string what = std::string(key) + ": " + side;
     if (soles) refuse_other_keys(*limb, what, {"frame", "at", "rpy", "front", "back", "left", "right"});
     else refuse_other_keys(*limb, what, {"frame", "at", "rpy"});
-    if (!yaml[key] || !yaml[key][side]) refuse(what + ": the robot has none");
+    if (!yaml[key] || !yaml[key][side]) refuse_change(what + ": the robot has none");
     YAML::Node node = yaml[key][side];
     put_place(*limb, what, node);
     for (const char* edge : kEdges) {
@@ -108,7 +109,7 @@ void put_imu(const Json& limbs, YAML::Node yaml) {
   if (yaml["imu"] && yaml["imu"].IsMap()) node = YAML::Clone(yaml["imu"]);
   else if (yaml["imu"]) node["frame"] = yaml["imu"].as<std::string>();
   put_place(*imu, "imu", node);
-  if (!node["frame"]) refuse("imu: frame must be the name of a link");
+  if (!node["frame"]) refuse_change("imu: frame must be the name of a link");
   if (node.size() == 1) yaml["imu"] = node["frame"].as<std::string>();
   else yaml["imu"] = node;
 }
@@ -183,7 +184,7 @@ std::string edited_srdf(const std::string& srdf, const std::string& robot,
     more += "  </group_state>\n";
   }
   const std::size_t end = text.rfind("</robot>");
-  if (end == std::string::npos) refuse("the SRDF has no </robot>");
+  if (end == std::string::npos) refuse_change("the SRDF has no </robot>");
   return text.insert(end, more);
 }
 

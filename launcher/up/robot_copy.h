@@ -21,6 +21,8 @@ struct RobotChange {
   std::vector<std::pair<std::string, double>> joints;  // of the pose; none: no pose
 };
 
+[[noreturn]] void refuse_change(const std::string& why);  // throws std::runtime_error
+
 constexpr char kPagePose[] = "set_on_page";
 
 // Writes the folder `to`, which is removed first.  Throws std::runtime_error with one sentence that says what is wrong.

@@ -32,19 +32,17 @@ constexpr std::size_t kMostPushes = 100;
 constexpr std::size_t kMostPairs = 5000;
 constexpr double kLargestImpulse = 1000.0;  // [N s]
 
-[[noreturn]] void refuse(const std::string& why) { throw std::runtime_error(why); }
-
 std::string text_member(const Json& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return {};
-  if (!found->is_string()) refuse(std::string(key) + " must be a text");
+  if (!found->is_string()) refuse_change(std::string(key) + " must be a text");
   return found->get<std::string>();
 }
 
 double number_within(const Json& json, const std::string& what, double least, double most) {
   const double value = json.is_number() ? json.get<double>() : std::nan("");
   if (!(value >= least && value <= most))
-    refuse(what + " must be a number from " + std::to_string(least) + " to " +
+    refuse_change(what + " must be a number from " + std::to_string(least) + " to " +
            std::to_string(most));
   return value;
 }
@@ -54,7 +52,7 @@ const Json& array_member(const Json& json, const char* key, std::size_t most) {
   const auto found = json.find(key);
   if (found == json.end() || found->is_null()) return kNone;
   if (!found->is_array() || found->size() > most)
-    refuse(std::string(key) + " must be a list of at most " + std::to_string(most));
+    refuse_change(std::string(key) + " must be a list of at most " + std::to_string(most));
   return *found;
 }
 
@@ -76,7 +74,7 @@ std::vector<std::pair<std::string, double>> page_posture(const Json& wish, const
     joints.emplace_back(joint.name, value);
   }
   for (const auto& [joint, value] : given->items()) {
-    if (model.find_joint(joint) < 0) refuse("the robot has no joint '" + joint + "'");
+    if (model.find_joint(joint) < 0) refuse_change("the robot has no joint '" + joint + "'");
   }
   return joints;
 }
@@ -85,10 +83,10 @@ Pairs unchecked_pairs(const Json& wish, const Model& model) {
   Pairs pairs;
   for (const Json& pair : array_member(wish, "unchecked", kMostPairs)) {
     if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string())
-      refuse("unchecked must be pairs of two names of links");
+      refuse_change("unchecked must be pairs of two names of links");
     for (const Json& link : pair) {
       const std::string name = link.get<std::string>();
-      if (model.find_link(name) < 0) refuse("the robot has no moving link '" + name + "'");
+      if (model.find_link(name) < 0) refuse_change("the robot has no moving link '" + name + "'");
     }
     pairs.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
   }
@@ -107,11 +105,11 @@ std::string scene_text(const Json& wish, const Model& model, const std::string& 
   YAML::Node scene = YAML::Load(load_scene(text_member(wish, "scene")).text);
   if (!pose.empty()) scene["start_pose"] = pose;
   for (const Json& push : array_member(wish, "pushes", kMostPushes)) {
-    if (!push.is_object()) refuse("a push has link, at and impulse");
+    if (!push.is_object()) refuse_change("a push has link, at and impulse");
     const std::string link = text_member(push, "link");
-    if (model.find_link(link) < 0) refuse("push: the robot has no moving link '" + link + "'");
+    if (model.find_link(link) < 0) refuse_change("push: the robot has no moving link '" + link + "'");
     const Json& impulse = array_member(push, "impulse", 3);
-    if (impulse.size() != 3) refuse("push: impulse must be three numbers [N s]");
+    if (impulse.size() != 3) refuse_change("push: impulse must be three numbers [N s]");
     YAML::Node node;
     node["link"] = link;
     for (const Json& part : impulse)
@@ -129,9 +127,9 @@ std::string scene_text(const Json& wish, const Model& model, const std::string& 
 }
 
 Json parsed(const std::string& wish) {
-  if (nests_deeper(wish, kDeepestWish)) refuse("a setup is at most " + std::to_string(kDeepestWish) + " brackets deep");
+  if (nests_deeper(wish, kDeepestWish)) refuse_change("a setup is at most " + std::to_string(kDeepestWish) + " brackets deep");
   Json json = Json::parse(wish, nullptr, false);
-  if (!json.is_object()) refuse("a setup is a JSON object");
+  if (!json.is_object()) refuse_change("a setup is a JSON object");
   return json;
 }
 
@@ -185,7 +183,7 @@ Model written_robot(const std::string& from, const std::string& to, const Model&
   copy_robot(from, to, model.name, change);
   Model changed = load_robot(to);
   if (change.limbs.empty() && changed.hash != model.hash)
-    refuse("the changed robot is another one: its model hash differs");
+    refuse_change("the changed robot is another one: its model hash differs");
   return changed;
 }
 
@@ -196,17 +194,17 @@ Setup write_setup(const std::string& wish_text, const std::string& robot,
   const Json wish = parsed(wish_text);
   const std::string name = text_member(wish, "scene");
   if (name.empty() || name.find('/') != std::string::npos)
-    refuse("scene must be a name in config/scenes");
+    refuse_change("scene must be a name in config/scenes");
   Setup setup{.scene = folder + "/scene.yaml", .robot = robot, .engine = text_member(wish, "engine")};
   Engine engine;
   if (!setup.engine.empty() && !engine_of(setup.engine, engine))
-    refuse("there is no engine '" + setup.engine + "'; use articulated, ode or mujoco");
+    refuse_change("there is no engine '" + setup.engine + "'; use articulated, ode or mujoco");
   const std::string from = robot_folder(robot);
   const Model model = load_robot(from);
   const RobotChange change = robot_change(wish, model);
   const std::string pose = change.joints.empty() ? text_member(wish, "pose") : kPagePose;
   if (change.joints.empty() && !pose.empty() && model.find_pose(pose) < 0)
-    refuse("the robot " + model.name + " has no pose '" + pose + "'");
+    refuse_change("the robot " + model.name + " has no pose '" + pose + "'");
   Draft draft(folder);
   write_file(draft.file("scene.yaml"), scene_text(wish, model, pose));
   Model changed = model;
@@ -220,7 +218,7 @@ Setup write_setup(const std::string& wish_text, const std::string& robot,
   // A simulator that cannot begin would end the whole stack.
   SimAdaptor trial(scene);
   if (trial.open(changed, {}) != Status::kOk)
-    refuse("the simulator cannot begin like this; it says why where ./twinbus up runs");
+    refuse_change("the simulator cannot begin like this; it says why where ./twinbus up runs");
   trial.close();
   draft.keep("scene.yaml");
   if (other) setup.robot = draft.keep(folder_name(model));
@@ -246,7 +244,7 @@ std::int64_t save_number(const std::string& wish_text) {
   const Json wish = parsed(wish_text);
   const auto save = wish.find("save");
   if (save == wish.end() || !save->is_number_unsigned() || save->get<std::uint64_t>() > kLargestSave)
-    refuse("save must be a whole number from 0 to 2^53");
+    refuse_change("save must be a whole number from 0 to 2^53");
   return save->get<std::int64_t>();
 }
 

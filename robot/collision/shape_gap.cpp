@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-9;  // [m]; what a bound may be wrong by
+constexpr double kBoundError = 1e-9;  // [m]; what a bound may be wrong by
 // GJK has converged when its distance agrees with the lower bound of its own direction to this [m].
 constexpr double kConverged = 1e-6;
 // The distance of hulls stands for that of meshes above this [m].
@@ -24,10 +24,10 @@ constexpr double kHullsApart = 0.02;
 // are farther apart than near.
 bool ShapeGap::own_distance(const CollisionShape& a, const CollisionShape& b,
                             const Vector3d& towards_b, double near, PairDistance& result) noexcept {
-  const double far = std::max(near, 0.0) + kRounding;
+  const double far = std::max(near, 0.0) + kBoundError;
   const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far, towards_b, close);
-  if (found.distance > 0.0 && found.below > near + kRounding) {
-    parted = found.below - kRounding;
+  if (found.distance > 0.0 && found.below > near + kBoundError) {
+    parted = found.below - kBoundError;
     return false;
   }
   result.distance = found.distance;
@@ -41,7 +41,7 @@ bool ShapeGap::own_distance(const CollisionShape& a, const CollisionShape& b,
 bool ShapeGap::mesh_distance(const CollisionShape& a, const CollisionShape& b, double near,
                              double at_least, MeshMemory& nearest, PairDistance& result) noexcept {
   MeshGap gap;
-  const double below = near + kRounding;
+  const double below = near + kBoundError;
   if (a.mesh && b.mesh) {
     if (!meshes.between(*a.mesh, a.world, *b.mesh, b.world, below, at_least, nearest, gap))
       return false;
@@ -67,14 +67,14 @@ bool ShapeGap::nearer(CollisionShape& a, CollisionShape& b, ShapeMemory& remembe
   if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
   const Vector3d before = a.world.linear() * remembered.apart;
   const double as_before = separation(shape_a, shape_b, before);
-  if (as_before > near + kRounding) {
-    parted = as_before - kRounding;
+  if (as_before > near + kBoundError) {
+    parted = as_before - kBoundError;
     return false;
   }
   const Vector3d seen = towards.squaredNorm() > 1e-8 ? towards.normalized() : between.normalized();
   const double as_seen = separation(shape_a, shape_b, seen);
-  if (as_seen > near + kRounding) {
-    parted = as_seen - kRounding;
+  if (as_seen > near + kBoundError) {
+    parted = as_seen - kBoundError;
     return false;
   }
   const Vector3d first = a.world.linear().transpose() *

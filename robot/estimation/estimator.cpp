@@ -10,6 +10,7 @@
 #include "robot/estimation/base_frame.h"
 #include "robot/estimation/point_legs.h"
 #include "robot/estimation/sole_contact.h"
+#include "robot/estimation/standing_feet.h"
 
 namespace twinbus::inline robot {
 
@@ -23,8 +24,6 @@ constexpr double kLoadedOn = 0.05;
 constexpr double kLoadedSurely = 0.1;
 constexpr double kLoadedOff = 0.03;
 constexpr double kFullShare = 0.15;
-// Without force sensors: soles this close to the lowest one stand on the ground [m].
-constexpr double kSameHeight = 0.005;
 constexpr double kLeastHeight = 0.2;  // of the centre of mass that is reckoned with [m]
 constexpr double kDcmFilter = 0.020;  // of the velocity of the joints against what the ZMP says [s]
 constexpr double kAttitudeFilter = 0.05;  // of the IMU's attitude against what its gyro says [s]

@@ -14,9 +14,9 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr double kPull = 0.1;                       // T on one foot [s]
+constexpr double kPullTime = 0.1;                       // T on one foot [s]
 constexpr double kFootNoise = 0.08 * 0.08 * 0.02;   // r: 0.08 m/s that changes every 20 ms [m^2/s]
-constexpr double kAccelNoise = kFootNoise / (kPull * kPull);  // q [m^2/s^3]
+constexpr double kAccelNoise = kFootNoise / (kPullTime * kPullTime);  // q [m^2/s^3]
 constexpr double kUnknownAccel = 9.0 * 0.05;        // q without accelerometer: 3 m/s^2 for 50 ms
 constexpr double kHuber = 2.5;                      // standard deviations
 constexpr double kChange = 0.02;                    // T_c [s]
@@ -189,7 +189,7 @@ void InertialLegOdometry::correct(double dt) noexcept {
 void InertialLegOdometry::move(double dt) noexcept {
   const Eigen::Vector3d velocity = velocity_ - base_ * (omega_.cross(imu_place_) + imu_drift_);
   position_ += dt * velocity;
-  position_variance_ += 2.0 * kPull * dt * variance_;
+  position_variance_ += 2.0 * kPullTime * dt * variance_;
   yaw_variance_ += kYawRate * dt;
   double sum = 0.0, height = 0.0;
   for (int foot = 0; foot < feet_.count(); ++foot) {
@@ -205,7 +205,7 @@ void InertialLegOdometry::move(double dt) noexcept {
     }
     return;
   }
-  const double share = dt > 0.0 ? std::min(1.0, sum) * dt / (dt + kPull) : 1.0;
+  const double share = dt > 0.0 ? std::min(1.0, sum) * dt / (dt + kPullTime) : 1.0;
   position_.z() += share * (height / sum - position_.z());
   position_variance_.z() += share * (kHeight * kHeight - position_variance_.z());
 }

@@ -27,7 +27,6 @@ constexpr double kLands = 0.020;         // a foot that has come down rolls and 
 constexpr double kTorqueFilter = 0.004;  // of load that torques tell [s]
 constexpr double kSoft = 0.003;          // points this much higher than the lowest press 1/e as much [m]
 constexpr double kNothing = -20.0;       // in those: presses nothing
-constexpr double kSameHeight = 0.005;    // of feet that stand, without forces and torques [m]
 constexpr double kAsLow = 0.15;          // a limb is a leg if it reaches as low as the soles but for this share of their depth
 constexpr double kNoTorque = 1e-6;       // of the weight times a metre: nothing measures torques
 constexpr double kMomentArm = 0.1;       // of the moment on a sole, as likely as its force at that arm [m]

@@ -18,6 +18,8 @@
 
 namespace twinbus::inline robot {
 
+constexpr double kSameHeight = 0.005;  // of feet that stand, without forces and torques [m]
+
 class StandingFeet {
  public:
   explicit StandingFeet(const Model& model);

@@ -31,7 +31,7 @@ constexpr double kLeastSize = 0.001;    // [m]
 constexpr double kFarShell = 3.0;       // of what its geometry allows: nine times the largest moment
 constexpr std::array<const char*, 6> kMoments{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
 
-std::string number(double value) {
+std::string digits(double value) {
   return formatted("%.6g", value);
 }
 
@@ -136,7 +136,7 @@ class Mender {
       if (link.name != "link" || (child_of(link, "collision") == nullptr && child_of(link, "visual") == nullptr)) continue;
       XmlElement inertial, mass, inertia;
       inertial.name = "inertial", mass.name = "mass", inertia.name = "inertia";
-      mass.attributes = {{"value", number(kPlainMass)}};
+      mass.attributes = {{"value", digits(kPlainMass)}};
       for (const char* key : kMoments) inertia.attributes.emplace_back(key, "0");
       inertial.children = {mass, inertia};
       link.children.push_back(inertial);
@@ -144,7 +144,7 @@ class Mender {
     }
     if (given > 0)
       say("robot", "no link has a mass: each of the " + std::to_string(given) + " that have a shape weighs " +
-                       number(kPlainMass) + " kg, with the inertia of a box around it; "
+                       digits(kPlainMass) + " kg, with the inertia of a box around it; "
                        "a simulation says nothing about weight and torque "
                        "until true ones are there");
   }
@@ -170,7 +170,7 @@ class Mender {
         const int count = key == "size" ? 3 : 1;
         if (!is_size || !parse_numbers(text, v, count) || *std::min_element(v, v + count) > 0.0) continue;
         std::string mended;
-        for (int i = 0; i < count; ++i) mended += (i > 0 ? " " : "") + number(v[i] > 0.0 ? v[i] : kLeastSize);
+        for (int i = 0; i < count; ++i) mended += (i > 0 ? " " : "") + digits(v[i] > 0.0 ? v[i] : kLeastSize);
         say("link " + name_of(link) + ", " + part.name, shape.name + " " + key + " " + text + " is nothing: " + mended + " m");
         text = mended;
       }
@@ -202,7 +202,8 @@ class Mender {
       }
       if (drawn == nullptr || !(off(*drawn) > kFarFromDrawn) || !((place(drawn) - mass).norm() < (place(&touched) - mass).norm()))
         continue;
-      say("link " + name_of(link) + ", collision", "its mesh lies " + number(off(*drawn)) + " m from where the same mesh is drawn: it is put there");
+      say("link " + name_of(link) + ", collision",
+          "its mesh lies " + digits(off(*drawn)) + " m from where the same mesh is drawn: it is put there");
       std::erase_if(touched.children, [](const XmlElement& e) { return e.name == "origin"; });
       if (const XmlElement* origin = drawn->child("origin")) touched.children.push_back(*origin);
     }
@@ -224,7 +225,7 @@ class Mender {
     const bool negative = !(moments[0] >= -1e-6 * std::abs(moments[2]) - kDust);
     if (negative || tensor.isApprox(Eigen::Matrix3d::Identity(), 1e-9)) {
       for (const char* key : kMoments) write(*inertia, key, "0");
-      say(about, (negative ? "a principal moment of " + number(moments[0]) + " kg m^2 is no body's"
+      say(about, (negative ? "a principal moment of " + digits(moments[0]) + " kg m^2 is no body's"
                            : std::string("an inertia of 1 1 1 is a placeholder")) +
                      ": that of a box around its geometry is taken, or, where it is fixed to another, of a point of its mass");
       return;
@@ -237,7 +238,7 @@ class Mender {
     const Eigen::Matrix3d mended = solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
     const double values[6] = {mended(0, 0), mended(0, 1), mended(0, 2), mended(1, 1), mended(1, 2), mended(2, 2)};
     for (std::size_t i = 0; i < 6; ++i) write(*inertia, kMoments[i], formatted("%.9g", values[i]));
-    say(about, "its largest moment exceeded the sum of the others by " + number(lacks) +
+    say(about, "its largest moment exceeded the sum of the others by " + digits(lacks) +
                    " kg m^2, which no body's does: the two smaller ones are raised by half of that");
   }
 
@@ -258,17 +259,17 @@ class Mender {
     if (limit == nullptr || !read(*limit, "lower", lower) || !read(*limit, "upper", upper)) return;
     const std::string about = "joint " + name_of(joint);
     const auto set = [&](double low, double high) {
-      write(*limit, "lower", number(lower = low));
-      write(*limit, "upper", number(upper = high));
+      write(*limit, "lower", digits(lower = low));
+      write(*limit, "upper", digits(upper = high));
     };
     if (lower > upper) {
-      say(about, "lower " + number(lower) + " was above upper " + number(upper) + ": they are exchanged");
+      say(about, "lower " + digits(lower) + " was above upper " + digits(upper) + ": they are exchanged");
       set(upper, lower);
     }
     const std::string* type = joint.attribute("type");
     const double most = std::max(std::abs(lower), std::abs(upper));
     if (type == nullptr || *type != "revolute" || !(upper - lower > 4.0 * kPi) || most > kMostDegrees) return;
-    say(about, "its range of " + number(lower) + " to " + number(upper) + " is in degrees: written in radians");
+    say(about, "its range of " + digits(lower) + " to " + digits(upper) + " is in degrees: written in radians");
     set(lower * kPi / 180.0, upper * kPi / 180.0);
   }
 
@@ -288,7 +289,7 @@ class Mender {
     const std::string unit = slides(joint) ? sliding : turning, about = "joint " + name_of(joint);
     const std::string was = limit->attribute(key) == nullptr
                                 ? "it has no " + key + " limit"
-                                : "its " + key + " limit of " + number(value) + " " + unit + " is none";
+                                : "its " + key + " limit of " + digits(value) + " " + unit + " is none";
     std::vector<double> others;
     for (const XmlElement& other : before.children) {
       const bool alike = other.name == "joint" && name_of(other) != name_of(joint) && slides(other) == slides(joint);
@@ -298,20 +299,20 @@ class Mender {
       others.push_back(found);
       const std::vector<std::string> names = names_on_other_side(name_of(joint));
       if (std::find(names.begin(), names.end(), name_of(other)) == names.end()) continue;
-      say(about, was + ": that of " + name_of(other) + " is taken, " + number(found) + " " + unit);
-      write(*limit, key, number(found));
+      say(about, was + ": that of " + name_of(other) + " is taken, " + digits(found) + " " + unit);
+      write(*limit, key, digits(found));
       return;
     }
     if (others.empty()) {
       const double plain = key == "effort" ? kPlainEffort : slides(joint) ? kPlainSlide : kPlainSpeed;
-      say(about, was + ", nor has any other joint one: " + number(plain) + " " + unit + " is a guess; give the motor's");
-      write(*limit, key, number(plain));
+      say(about, was + ", nor has any other joint one: " + digits(plain) + " " + unit + " is a guess; give the motor's");
+      write(*limit, key, digits(plain));
       return;
     }
     std::sort(others.begin(), others.end());
     const double middle = others[others.size() / 2];
-    say(about, was + ": the middle one of its other joints is taken, " + number(middle) + " " + unit + "; give the motor's");
-    write(*limit, key, number(middle));
+    say(about, was + ": the middle one of its other joints is taken, " + digits(middle) + " " + unit + "; give the motor's");
+    write(*limit, key, digits(middle));
   }
 
   XmlElement& robot_;
@@ -429,11 +430,11 @@ std::string mend_images(const std::string& text, const std::string& file, const 
     for (XmlElement& joint : robot.children) {
       XmlElement* limit = joint.name == "joint" && name_of(joint) == other.name ? child_of(joint, "limit") : nullptr;
       if (!fault.of_leg || limit == nullptr) continue;
-      write(*limit, "lower", number(fault.lower));
-      write(*limit, "upper", number(fault.upper));
-      changes.push_back("joint " + other.name + ": its range of " + number(other.lower) + " to " + number(other.upper) +
+      write(*limit, "lower", digits(fault.lower));
+      write(*limit, "upper", digits(fault.upper));
+      changes.push_back("joint " + other.name + ": its range of " + digits(other.lower) + " to " + digits(other.upper) +
                         " is not the mirror image of that of " + model.joints[static_cast<std::size_t>(fault.kept)].name +
-                        ", which legs need more: " + number(fault.lower) + " to " + number(fault.upper));
+                        ", which legs need more: " + digits(fault.lower) + " to " + digits(fault.upper));
     }
   }
   return changes.size() == before ? text : written(robot);
@@ -461,7 +462,7 @@ std::string mend_far_inertias(const std::string& text, const std::string& file, 
       if (mass == nullptr || !read(*mass, "value", weighs) || !(shell_radius(most, weighs) > kFarShell * reach)) continue;
       for (const char* key : kMoments) write(*inertia, key, "0");
       changes.push_back("link " + name_of(element) + ": its inertia is that of a shell of radius " +
-                        number(shell_radius(most, weighs)) + " m, and its geometry ends at " + number(reach) +
+                        digits(shell_radius(most, weighs)) + " m, and its geometry ends at " + digits(reach) +
                         " m: that of a box around its geometry is taken, or, where it is fixed to another, of a point of its mass");
     }
   }

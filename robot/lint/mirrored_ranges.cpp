@@ -16,10 +16,10 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr double kAlike = 0.01;     // limits of left and right [rad]
+constexpr double kSameLimit = 0.01;     // limits of left and right [rad]
 constexpr double kParallel = 0.98;  // cosine between an axis and the image of the other
 
-bool same(double a, double b) { return std::abs(a - b) <= kAlike; }
+bool same(double a, double b) { return std::abs(a - b) <= kSameLimit; }
 
 using Range = std::pair<double, double>;
 

@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 512U << 20U;
 constexpr double kDefaultRate = 30.0;  // of lafan1 [Hz]
-constexpr double kUnit = 0.05;         // that a quaternion may be off its length, by rounding
 constexpr const char* kRoot[7] = {"root_x",  "root_y",  "root_z", "root_qw",
                                   "root_qx", "root_qy", "root_qz"};
 constexpr const char* kLafan1[29] = {
@@ -214,7 +213,7 @@ MotionFile parse_motion_csv(const std::string& file, const std::string& text,
     motion.time.push_back(time);
     if (!root) continue;
     Eigen::Quaterniond turn(pose[3], pose[4], pose[5], pose[6]);
-    if (!(std::abs(turn.norm() - 1.0) < kUnit))
+    if (!(std::abs(turn.norm() - 1.0) < kUnitTolerance))
       fail(file, line,
            "the quaternion of the root has length " + std::to_string(turn.norm()) +
                ", and must have 1");

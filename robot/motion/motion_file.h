@@ -12,6 +12,8 @@
 
 namespace twinbus::inline robot {
 
+constexpr double kUnitTolerance = 0.05;  // that a quaternion may be off its length, by rounding
+
 struct MotionFile {
   std::string file;
   std::vector<std::string> joints;  // one a column of q

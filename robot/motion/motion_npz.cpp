@@ -14,11 +14,6 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr double kUnit = 0.05;  // that a quaternion may be off its length, by rounding
-
-[[noreturn]] void fail(const std::string& where, const std::string& what) {
-  throw std::runtime_error(where + ": " + what);
-}
 
 // The first of these names that the file has; null.
 const NpyArray* find(const std::vector<NpyArray>& arrays,
@@ -44,7 +39,7 @@ void check_finite(const std::string& file, const NpyArray& array) {
   const auto index = static_cast<std::size_t>(bad - array.numbers.begin());
   const std::size_t row =
       array.shape.empty() ? 1 : std::max<std::size_t>(1, array.size() / array.shape[0]);
-  fail(file + ": " + array.name, "frame " + std::to_string(index / row) + ", column " +
+  refuse_npz(file + ": " + array.name, "frame " + std::to_string(index / row) + ", column " +
                                      std::to_string(index % row + 1) + " is no finite number");
 }
 
@@ -54,7 +49,7 @@ std::vector<double> rows_of(const std::string& file, const NpyArray& array, std:
   const bool flat = array.shape.size() == 2 && array.shape[1] == width;
   const bool bodies = array.shape.size() == 3 && array.shape[2] == width && array.shape[1] > 0;
   if (array.shape.empty() || array.shape[0] != frames || !(flat || bodies) || array.numbers.empty())
-    fail(file + ": " + array.name, "has the shape " + shape_text(array) + ", and must have (" +
+    refuse_npz(file + ": " + array.name, "has the shape " + shape_text(array) + ", and must have (" +
                                        std::to_string(frames) + ", " + std::to_string(width) +
                                        ") or a row of such for each body");
   check_finite(file, array);
@@ -70,14 +65,14 @@ void read_times(const std::vector<NpyArray>& arrays, std::size_t frames, const M
                 MotionFile& motion) {
   if (const NpyArray* time = find(arrays, {"time", "times", "timestamps"})) {
     if (format.rate > 0.0)
-      fail(motion.file, "has its own times, and --rate says others: leave --rate out");
+      refuse_npz(motion.file, "has its own times, and --rate says others: leave --rate out");
     if (time->numbers.size() != frames)
-      fail(motion.file + ": " + time->name, "has " + std::to_string(time->numbers.size()) +
+      refuse_npz(motion.file + ": " + time->name, "has " + std::to_string(time->numbers.size()) +
                                                 " times for " + std::to_string(frames) + " frames");
     check_finite(motion.file, *time);
     for (std::size_t f = 1; f < frames; ++f) {
       if (!(time->numbers[f] > time->numbers[f - 1]))
-        fail(motion.file + ": " + time->name,
+        refuse_npz(motion.file + ": " + time->name,
              "frame " + std::to_string(f) + ": the time does not increase");
     }
     motion.time = time->numbers;
@@ -87,16 +82,16 @@ void read_times(const std::vector<NpyArray>& arrays, std::size_t frames, const M
   if (const NpyArray* fps =
           find(arrays, {"fps", "rate", "framerate", "frame_rate", "mocap_framerate"});
       fps != nullptr && !(rate > 0.0)) {
-    if (fps->numbers.size() != 1) fail(motion.file + ": " + fps->name, "must be one number");
+    if (fps->numbers.size() != 1) refuse_npz(motion.file + ": " + fps->name, "must be one number");
     rate = fps->numbers[0];
   } else if (const NpyArray* dt = find(arrays, {"dt"}); dt != nullptr && !(rate > 0.0)) {
-    if (dt->numbers.size() != 1) fail(motion.file + ": dt", "must be one number");
+    if (dt->numbers.size() != 1) refuse_npz(motion.file + ": dt", "must be one number");
     rate = 1.0 / dt->numbers[0];
   }
   if (rate == 0.0)
-    fail(motion.file, "has neither time nor fps nor dt: say its frames a second with --rate");
+    refuse_npz(motion.file, "has neither time nor fps nor dt: say its frames a second with --rate");
   if (!(rate >= 1.0 && rate <= 10'000.0))
-    fail(motion.file, "says a rate outside 1 to 10000 frames a second; --rate says another");
+    refuse_npz(motion.file, "says a rate outside 1 to 10000 frames a second; --rate says another");
   for (std::size_t f = 0; f < frames; ++f) motion.time.push_back(static_cast<double>(f) / rate);
 }
 
@@ -115,8 +110,8 @@ void read_root(const std::vector<NpyArray>& arrays, std::size_t frames, const Mo
     const double* q = r.data() + 4 * f;
     const Eigen::Quaterniond turn = w_last ? Eigen::Quaterniond(q[3], q[0], q[1], q[2])
                                            : Eigen::Quaterniond(q[0], q[1], q[2], q[3]);
-    if (!(std::abs(turn.norm() - 1.0) < kUnit))
-      fail(motion.file + ": " + turns.name,
+    if (!(std::abs(turn.norm() - 1.0) < kUnitTolerance))
+      refuse_npz(motion.file + ": " + turns.name,
            "frame " + std::to_string(f) + ": the quaternion has not length 1");
     Eigen::Isometry3d& place = motion.root.emplace_back(Eigen::Isometry3d::Identity());
     place.linear() = turn.normalized().toRotationMatrix();
@@ -133,13 +128,13 @@ MotionFile parse_motion_npz(const std::string& file, const std::string& bytes,
   motion.file = file;
   const NpyArray* q = find(arrays, {"joint_pos", "joint_positions", "dof_pos", "dof_positions"});
   if (q == nullptr || q->shape.size() != 2 || q->shape[0] == 0 || q->shape[1] == 0)
-    fail(file, "has no array joint_pos (or dof_pos, dof_positions) of frames x joints");
+    refuse_npz(file, "has no array joint_pos (or dof_pos, dof_positions) of frames x joints");
   const std::size_t frames = q->shape[0], width = q->shape[1];
   if (frames > static_cast<std::size_t>(kMostMotionFrames) ||
       width > static_cast<std::size_t>(kMostMotionColumns))
-    fail(file + ": " + q->name,
+    refuse_npz(file + ": " + q->name,
          "has the shape " + shape_text(*q) + "; at most 1,000,000 frames of 512 joints are read");
-  if (q->numbers.size() != frames * width) fail(file + ": " + q->name, "holds no numbers");
+  if (q->numbers.size() != frames * width) refuse_npz(file + ": " + q->name, "holds no numbers");
   check_finite(file, *q);
   motion.q = q->numbers;
   const NpyArray* names = find(arrays, {"joint_names", "dof_names"});
@@ -149,15 +144,15 @@ MotionFile parse_motion_npz(const std::string& file, const std::string& bytes,
       return name == "time" || name.starts_with("root_");
     });
     if (motion.joints.empty())
-      fail(file, "has no joint_names: say the order of its joints with --columns");
+      refuse_npz(file, "has no joint_names: say the order of its joints with --columns");
   }
   if (motion.joints.size() != width)
-    fail(file, std::to_string(motion.joints.size()) + " names of joints for " +
+    refuse_npz(file, std::to_string(motion.joints.size()) + " names of joints for " +
                    std::to_string(width) + " columns of " + q->name);
   for (std::size_t i = 0; i < width; ++i) {
     if (std::find(motion.joints.begin(), motion.joints.begin() + static_cast<std::ptrdiff_t>(i),
                   motion.joints[i]) != motion.joints.begin() + static_cast<std::ptrdiff_t>(i))
-      fail(file, "two joints are called " + printable(motion.joints[i], 60));
+      refuse_npz(file, "two joints are called " + printable(motion.joints[i], 60));
   }
   read_times(arrays, frames, format, motion);
   read_root(arrays, frames, format, motion);

@@ -12,6 +12,10 @@
 
 namespace twinbus::inline robot {
 
+void refuse_npz(const std::string& where, const std::string& what) {
+  throw std::runtime_error(where + ": " + what);
+}
+
 namespace {
 
 constexpr std::size_t kMostUnpacked = std::size_t{1} << 30;
@@ -23,13 +27,9 @@ constexpr std::size_t kLongestComment = 65535;
 static_assert(std::endian::native == std::endian::little,
               "numbers are taken as they lie in the file");
 
-[[noreturn]] void fail(const std::string& where, const std::string& what) {
-  throw std::runtime_error(where + ": " + what);
-}
-
 template <class Number>
 Number number_at(std::string_view bytes, std::size_t at, const std::string& where) {
-  if (at > bytes.size() || bytes.size() - at < sizeof(Number)) fail(where, "is cut short");
+  if (at > bytes.size() || bytes.size() - at < sizeof(Number)) refuse_npz(where, "is cut short");
   Number number;
   std::memcpy(&number, bytes.data() + at, sizeof number);
   return number;
@@ -37,14 +37,14 @@ Number number_at(std::string_view bytes, std::size_t at, const std::string& wher
 
 std::string_view part(std::string_view bytes, std::size_t at, std::size_t size,
                       const std::string& where) {
-  if (at > bytes.size() || bytes.size() - at < size) fail(where, "is cut short");
+  if (at > bytes.size() || bytes.size() - at < size) refuse_npz(where, "is cut short");
   return bytes.substr(at, size);
 }
 
 std::string inflate_member(std::string_view packed, std::size_t size, const std::string& where) {
   std::string out(size, '\0');
   z_stream stream{};
-  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) fail(where, "cannot be unpacked");
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) refuse_npz(where, "cannot be unpacked");
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
   stream.avail_in = static_cast<uInt>(packed.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data());
@@ -53,7 +53,7 @@ std::string inflate_member(std::string_view packed, std::size_t size, const std:
   const std::size_t got = stream.total_out;
   inflateEnd(&stream);
   if (result != Z_STREAM_END || got != size)
-    fail(where, "is damaged: it does not unpack to the size that it says");
+    refuse_npz(where, "is damaged: it does not unpack to the size that it says");
   return out;
 }
 
@@ -61,7 +61,7 @@ std::string inflate_member(std::string_view packed, std::size_t size, const std:
 std::string_view value_of(std::string_view header, std::string_view key, const std::string& where) {
   const std::size_t found = header.find("'" + std::string(key) + "':");
   if (found == std::string_view::npos)
-    fail(where, "has a header without '" + std::string(key) + "'");
+    refuse_npz(where, "has a header without '" + std::string(key) + "'");
   std::string_view rest = header.substr(found + key.size() + 3);
   while (!rest.empty() && rest.front() == ' ') rest.remove_prefix(1);
   return rest;
@@ -108,7 +108,7 @@ std::string read_text(char kind, std::size_t width, const char* from) {
 }
 
 NpyArray parse_npy(const std::string& name, std::string_view bytes, const std::string& where) {
-  if (!bytes.starts_with("\x93NUMPY")) fail(where, "is no array of numpy");
+  if (!bytes.starts_with("\x93NUMPY")) refuse_npz(where, "is no array of numpy");
   const bool long_header = number_at<std::uint8_t>(bytes, 6, where) >= 2;
   const std::size_t length = long_header ? number_at<std::uint32_t>(bytes, 8, where)
                                          : number_at<std::uint16_t>(bytes, 8, where);
@@ -118,16 +118,16 @@ NpyArray parse_npy(const std::string& name, std::string_view bytes, const std::s
   const std::string_view type = value_of(header, "descr", where);
   const std::size_t quote = type.find('\'', 1);
   if (!type.starts_with('\'') || quote == std::string_view::npos || quote < 3 || quote > 12)
-    fail(where, "has a type of several fields; save plain arrays of numbers");
+    refuse_npz(where, "has a type of several fields; save plain arrays of numbers");
   const std::string descr(type.substr(1, quote - 1));
   const char order = descr[0], kind = descr[1];
   if (kind == 'O')
-    fail(where,
+    refuse_npz(where,
          "holds Python objects, which are not read; save arrays of numbers, and names as text");
   std::size_t width = 0;
   for (const char c : descr.substr(2)) {
     if (c < '0' || c > '9')
-      fail(where, "has the type " + printable(descr, 20) + ", which is not known");
+      refuse_npz(where, "has the type " + printable(descr, 20) + ", which is not known");
     width = 10 * width + static_cast<std::size_t>(c - '0');
   }
   if (kind == 'U') width *= 4;
@@ -136,17 +136,17 @@ NpyArray parse_npy(const std::string& name, std::string_view bytes, const std::s
                       ((kind == 'i' || kind == 'u' || kind == 'b') &&
                        (width == 8 || width == 4 || width == 2 || width == 1));
   if (!(text && width > 0 && width <= 4096) && !number)
-    fail(where,
+    refuse_npz(where,
          "has the type " + printable(descr, 20) + ", which is not known; float32 and float64 are");
   if (order == '>' && width > 1)
-    fail(where, "is big-endian; save it as float32 or float64 of this machine");
+    refuse_npz(where, "is big-endian; save it as float32 or float64 of this machine");
   if (!value_of(header, "fortran_order", where).starts_with("False"))
-    fail(where, "is in Fortran order; save numpy.ascontiguousarray of it");
+    refuse_npz(where, "is in Fortran order; save numpy.ascontiguousarray of it");
   NpyArray array;
   array.name = name;
   std::string_view shape = value_of(header, "shape", where);
   const std::size_t end = shape.find(')');
-  if (!shape.starts_with('(') || end == std::string_view::npos) fail(where, "has no shape");
+  if (!shape.starts_with('(') || end == std::string_view::npos) refuse_npz(where, "has no shape");
   std::size_t count = 1;
   bool digits = false;
   std::size_t dimension = 0;
@@ -154,7 +154,7 @@ NpyArray parse_npy(const std::string& name, std::string_view bytes, const std::s
     if (c >= '0' && c <= '9') {
       dimension = 10 * dimension + static_cast<std::size_t>(c - '0');
       digits = true;
-      if (dimension > kMostUnpacked) fail(where, "says a shape that is too large");
+      if (dimension > kMostUnpacked) refuse_npz(where, "says a shape that is too large");
     } else if (digits && (c == ',' || c == ')')) {
       array.shape.push_back(dimension);
       count = dimension != 0 && count > kMostUnpacked / dimension ? kMostUnpacked + 1
@@ -164,7 +164,7 @@ NpyArray parse_npy(const std::string& name, std::string_view bytes, const std::s
     }
   }
   if (count > kMostUnpacked || data.size() / width < count)
-    fail(where, "says more numbers than it has");
+    refuse_npz(where, "says more numbers than it has");
   for (std::size_t i = 0; i < count; ++i) {
     const char* from = data.data() + i * width;
     if (text) {
@@ -189,15 +189,15 @@ std::vector<NpyArray> read_npz(const std::string& file, std::string_view bytes) 
       bytes.size() > kEndRecord + kLongestComment ? bytes.size() - kEndRecord - kLongestComment : 0;
   const std::size_t end = bytes.rfind("PK\x05\x06");
   if (end == std::string_view::npos || end < earliest)
-    fail(file, "is cut short: the end of the archive is missing");
+    refuse_npz(file, "is cut short: the end of the archive is missing");
   const std::size_t members = number_at<std::uint16_t>(bytes, end + 10, file);
   std::size_t at = number_at<std::uint32_t>(bytes, end + 16, file);
-  if (members > kMostMembers) fail(file, "has more than 1000 members");
+  if (members > kMostMembers) refuse_npz(file, "has more than 1000 members");
   std::vector<NpyArray> arrays;
   std::size_t unpacked = 0;
   for (std::size_t m = 0; m < members; ++m) {
     if (part(bytes, at, 4, file) != "PK\x01\x02")
-      fail(file, "is damaged: its list of members breaks off");
+      refuse_npz(file, "is damaged: its list of members breaks off");
     const auto method = number_at<std::uint16_t>(bytes, at + 10, file);
     const auto checksum = number_at<std::uint32_t>(bytes, at + 16, file);
     const std::size_t packed = number_at<std::uint32_t>(bytes, at + 20, file);
@@ -212,9 +212,9 @@ std::vector<NpyArray> read_npz(const std::string& file, std::string_view bytes) 
     name.resize(name.size() - 4);
     const std::string where = file + ": " + printable(name, 60);
     if (packed == UINT32_MAX || size == UINT32_MAX || (unpacked += size) > kMostUnpacked)
-      fail(where, "is more than 1 GB unpacked");
+      refuse_npz(where, "is more than 1 GB unpacked");
     if (part(bytes, local, 4, where) != "PK\x03\x04")
-      fail(where, "is damaged: it is not where the archive says");
+      refuse_npz(where, "is damaged: it is not where the archive says");
     const std::size_t data = local + kLocal + number_at<std::uint16_t>(bytes, local + 26, where) +
                              number_at<std::uint16_t>(bytes, local + 28, where);
     const std::string_view raw = part(bytes, data, packed, where);
@@ -224,11 +224,11 @@ std::vector<NpyArray> read_npz(const std::string& file, std::string_view bytes) 
     } else if (method == 8) {
       plain = inflate_member(raw, size, where);
     } else {
-      fail(where, "is packed by a method that is not known; save it with numpy.savez");
+      refuse_npz(where, "is packed by a method that is not known; save it with numpy.savez");
     }
     const uLong sum =
         crc32(0, reinterpret_cast<const Bytef*>(plain.data()), static_cast<uInt>(plain.size()));
-    if (sum != checksum) fail(where, "is damaged: its checksum is wrong");
+    if (sum != checksum) refuse_npz(where, "is damaged: its checksum is wrong");
     arrays.push_back(parse_npy(name, plain, where));
   }
   return arrays;

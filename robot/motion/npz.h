@@ -25,4 +25,7 @@ struct NpyArray {
 // type that is not known, or more than 1 GB unpacked.
 std::vector<NpyArray> read_npz(const std::string& file, std::string_view bytes);
 
+// Throws std::runtime_error "where: what".
+[[noreturn]] void refuse_npz(const std::string& where, const std::string& what);
+
 }  // namespace twinbus::robot

@@ -15,11 +15,11 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr double kClear = 0.08;      // of the arms from the legs at rest [m]
+constexpr double kLegClearance = 0.08;      // of the arms from the legs at rest [m]
 constexpr double kMostOut = 0.5;     // [rad]
-constexpr double kTurnStep = 0.05;   // [rad]
+constexpr double kOutwardStep = 0.05;   // [rad]
 constexpr double kAbout = 0.7;       // cosine: an axis so nearly forward turns an arm outwards
-constexpr int kMostPairs = 1024;
+constexpr int kMostPosturePairs = 1024;
 
 // The joint that turns an arm to its side, and which way: the first of it about the forward axis.
 struct Shoulder {
@@ -47,8 +47,8 @@ std::vector<PairDistance> near_pairs(const Model& model, const Eigen::VectorXd& 
   c.q = q;
   Kinematics k(model);
   k.update(c);
-  std::vector<PairDistance> near(at(kMostPairs));
-  near.resize(at(collision.near_pairs(k, kClear, near.data(), kMostPairs)));
+  std::vector<PairDistance> near(at(kMostPosturePairs));
+  near.resize(at(collision.near_pairs(k, kLegClearance, near.data(), kMostPosturePairs)));
   return near;
 }
 
@@ -68,7 +68,7 @@ double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::Vec
     const int a = pair.link_a, b = pair.link_b;
     if ((is_arm(a) && is_leg(b)) || (is_arm(b) && is_leg(a))) return pair.distance;
   }
-  return kClear;
+  return kLegClearance;
 }
 
 double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q) {
@@ -77,14 +77,14 @@ double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::Vecto
     root[side] = anatomy.soles[side].link;
     while (root[side] > 0 && model.links[at(root[side])].parent > 0) root[side] = model.links[at(root[side])].parent;
   }
-  if (root[0] <= 0 || root[1] <= 0 || root[0] == root[1]) return kClear;
+  if (root[0] <= 0 || root[1] <= 0 || root[0] == root[1]) return kLegClearance;
   for (const PairDistance& pair : near_pairs(model, q)) {
     const int a = pair.link_a, b = pair.link_b;
     const bool left_and_right = hangs_on(model, a, root[0]) && hangs_on(model, b, root[1]);
     if (left_and_right || (hangs_on(model, b, root[0]) && hangs_on(model, a, root[1])))
       return pair.distance;
   }
-  return kClear;
+  return kLegClearance;
 }
 
 double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q) {
@@ -103,7 +103,7 @@ double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd
   if (shoulders.empty()) return 0.0;
   Eigen::VectorXd best = q;
   double turned = 0.0, widest = arms_to_legs(model, anatomy, q);
-  for (double angle = kTurnStep; widest < kClear && angle < kMostOut + 0.5 * kTurnStep; angle += kTurnStep) {
+  for (double angle = kOutwardStep; widest < kLegClearance && angle < kMostOut + 0.5 * kOutwardStep; angle += kOutwardStep) {
     Eigen::VectorXd tried = q;
     for (const Shoulder& shoulder : shoulders) {
       const Joint& joint = model.joints[at(shoulder.joint)];

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kJointsOfLegs = 10;  // of both
 constexpr double kBelow = 0.03;      // its base that the flange of a trunk may reach [m]
-constexpr double kTouches = 0.001;   // that an arm may begin in the ground [m]
+constexpr double kInGround = 0.001;   // that an arm may begin in the ground [m]
 constexpr double kArmsAbove = 0.05;  // the ground, of a robot on a stand [m]
 
 }  // namespace
@@ -95,7 +95,7 @@ double height_of_stand(const Model& model) {
         fingers = std::max(fingers, kArmsAbove + (k.link_in_world(link) * point - joint).norm() - joint.z());
     }
   }
-  const double needed = std::max(fingers, std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kTouches ? kArmsAbove - arms : 0.0));
+  const double needed = std::max(fingers, std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kInGround ? kArmsAbove - arms : 0.0));
   return 1e-3 * std::ceil(1e3 * needed);
 }
 

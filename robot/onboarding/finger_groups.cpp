@@ -19,7 +19,7 @@ namespace {
 constexpr double kClosesBy = 0.02;   // of the distance between fingers: what changes it less neither opens nor closes
 constexpr std::size_t kPoints = 60;  // of a link that are looked at
 constexpr double kGrip = 0.1;        // of its range, by which a finger is off its place when it grips with all its effort
-constexpr double kFastest = 500.0;   // of a light finger [rad/s]
+constexpr double kFastestFinger = 500.0;   // of a light finger [rad/s]
 
 // Each at most kPoints, spread over the link [m].
 std::vector<Eigen::Vector3d> some_points(const Link& link) {
@@ -203,7 +203,7 @@ std::optional<FingerServo> finger_servo(const FingerGroups& groups, const Model&
       servo.inertia += ratio * ratio * (slides ? link.mass : link.mass * link.com.squaredNorm() + link.inertia.trace() / 3.0);
     }
   }
-  servo.kp = std::min(finger.effort / (kGrip * (finger.upper - finger.lower)), kFastest * kFastest * servo.inertia);
+  servo.kp = std::min(finger.effort / (kGrip * (finger.upper - finger.lower)), kFastestFinger * kFastestFinger * servo.inertia);
   return servo;
 }
 

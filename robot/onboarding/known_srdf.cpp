@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kOutside = 1e-3;   // a pose that leaves a limit by no more is put on it [rad or m]
 constexpr double kParallel = 0.05;  // tilt of a sole [rad]
-constexpr double kUpright = 0.025;  // tilt of the base over the soles [rad]
+constexpr double kMostTilt = 0.025;  // tilt of the base over the soles [rad]
 constexpr double kLevel = 0.005;    // of the two soles [m]
 constexpr double kWellInside = 0.2;  // of the half length, from the edge
 
@@ -92,7 +92,7 @@ std::string why_it_falls(const Model& model, const Eigen::VectorXd& q) {
     if (!(std::acos(std::clamp(s.linear().col(2).dot(up), -1.0, 1.0)) < kParallel))
       return "the soles are not parallel";
   }
-  if (!(std::acos(std::clamp(up.z(), -1.0, 1.0)) < kUpright))
+  if (!(std::acos(std::clamp(up.z(), -1.0, 1.0)) < kMostTilt))
     return "the base leans when the soles are flat";
   if (!(std::abs(up.dot(sole[0].translation() - sole[1].translation())) < kLevel))
     return "one foot is higher than the other";

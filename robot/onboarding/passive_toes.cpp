@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kShare = 0.1, kBent = 0.2;  // of the weight on its tip bends a toe so far [rad]
 constexpr double kDamping = 0.05;            // of its stiffness [s]
-constexpr double kShortest = 0.01;           // [m]
+constexpr double kShortestToe = 0.01;           // [m]
 
 // How far the link behind a joint reaches from its axis [m].
 double reach_of(const Model& model, int joint) {
   const Eigen::Vector3d& axis = model.joints[at(joint)].axis;
-  double reach = kShortest;
+  double reach = kShortestToe;
   for (const Eigen::Vector3d& point : link_points(model.links[at(joint + 1)]))
     reach = std::max(reach, (point - axis * axis.dot(point)).norm());
   return reach;

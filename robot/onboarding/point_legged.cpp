@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kLevelFeet = 0.005;  // the highest above the lowest, at most [m]
 constexpr double kMiddle = 0.3;       // of the way to the edge the centre of mass may be off
-constexpr double kBent = 0.72;      // of the length of a leg: from the joint that swings it down to the ground
+constexpr double kBentLength = 0.72;      // of the length of a leg: from the joint that swings it down to the ground
 constexpr double kPoint = 0.1;      // of the height of the hips: a longer foot is a sole
 constexpr double kReached = 1e-4;   // [m]
 constexpr double kReserve = 0.05;   // to the end of a joint's range [rad]
@@ -153,7 +153,7 @@ bool find_point_legged_posture(const Model& model, const PointLegs& legs, Eigen:
   }
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const double x = k.link_in_world(legs[i].joints[1] + 1).translation().x();
-    target[i] << x, feet.point(legs[i].foot).y(), level - kBent * shortest;
+    target[i] << x, feet.point(legs[i].foot).y(), level - kBentLength * shortest;
   }
   for (int shift = 0; shift < kShifts; ++shift) {
     double middle = 0.0;

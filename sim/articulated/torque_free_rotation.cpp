@@ -12,7 +12,7 @@ namespace twinbus::inline sim {
 namespace {
 
 constexpr int kMostSweeps = 50;
-constexpr double kMostParts = 1000.0;
+constexpr double kMostRotationParts = 1000.0;
 constexpr double kOuter = 1.3512071919596578;  // 1 / (2 - 2^(1/3))
 
 // A component of four bodies in each.
@@ -98,7 +98,7 @@ void turn_freely(const FreeRotation* bodies, int count, double h) noexcept {
     if (!(spin.squaredNorm() > 0.0)) continue;
     in_world[at(k)] = rotation * inertia.cwiseProduct(rotation.transpose() * spin);
     const double fastest = spin.norm() * inertia.maxCoeff() / inertia.minCoeff();
-    const int parts = 1 + static_cast<int>(std::min(kMostParts - 1.0, 4.0 * h * fastest));  // of a needle no int holds it
+    const int parts = 1 + static_cast<int>(std::min(kMostRotationParts - 1.0, 4.0 * h * fastest));  // of a needle no int holds it
     const Eigen::Quaterniond attitude(rotation);
     set(in_world[at(k)], k, all.momentum);
     set(inertia, k, all.inertia);

@@ -10,7 +10,6 @@ namespace twinbus::inline sim {
 
 namespace {
 
-constexpr double kGrows = 0.25;  // of the local error asked for: a part twice as long will hold it too
 
 }  // namespace
 

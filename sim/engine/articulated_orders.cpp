@@ -17,7 +17,6 @@ constexpr double kStopSlack = 1e-9;  // [rad or m]
 constexpr double kCalm = 0.03;  // [m/s^2.5]
 // Steps in parts of one size, at most: motion may be lively without an event.
 constexpr int kMostHeld = 16;
-constexpr double kGrows = 0.25;  // of the local error asked for: a part twice as long will hold it too
 
 }  // namespace
 

@@ -40,6 +40,8 @@
 
 namespace twinbus::inline sim {
 
+constexpr double kGrows = 0.25;  // of the local error asked for: a part twice as long will hold it too
+
 class ArticulatedWorld final : public World {
  public:
   // Throws std::runtime_error as make_world() says.

@@ -13,7 +13,7 @@ namespace twinbus::inline sim {
 namespace {
 // A gain is doubted that is more than this share of what moves and is pressed, or that the world has
 // risen by so much over the least it had.
-constexpr double kShare = 0.01, kRise = 0.03;
+constexpr double kGainShare = 0.01, kRise = 0.03;
 constexpr double kLeast = 1e-3;  // [J]
 
 // No number leaves a band without a bound.
@@ -97,7 +97,7 @@ bool EnergyBalance::add(const World& world, double pushed) noexcept {
   lowest_ = std::min(lowest_, sum_);
   least_ = std::min(least_, sum_);
   if (estimated_) return false;
-  const double gains = kShare * scale + kLeast, rises = kRise * scale + kLeast;
+  const double gains = kGainShare * scale + kLeast, rises = kRise * scale + kLeast;
   if (!(gain_ <= gains)) widen(gain_band_, gain_);
   if (!(sum_ - least_ <= rises)) widen(rise_band_, sum_ - least_);
   const bool risen = sum_ - lowest_ > std::max(rises, most_rise_);

@@ -11,6 +11,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import arrows_test  # noqa: E402
 import duplicates_test  # noqa: E402
+import unity_test  # noqa: E402
 
 CLEAN = {
     "robot/CMakeLists.txt": "twinbus_folder(robot/model)\n",
@@ -87,6 +88,22 @@ def wrong_with_duplicates():
         yield "rows of declarations are no pair"
 
 
+def wrong_with_names_of_a_folder():
+    """What the search for names that two files of a folder share gets wrong."""
+    def shared(*lines):
+        text = "namespace twinbus::inline robot {{\nnamespace {{\n{}\n}}  // namespace\n}}\n"
+        return problems_of({f"robot/model/{i}.cpp": text.format(line) for i, line in enumerate(lines)}, unity_test.check)
+    for line in ("constexpr double kShare = 0.5;", "struct Found {", "double between(double a, double b = 1.0) {"):
+        if len(shared(line, line.replace(" a,", " c,"))) != 1:
+            yield f"a folder that says twice: {line}"
+        if shared(line):
+            yield f"a folder that says once: {line}"
+    if len(shared("using Found = int;", "using Found = double;")) != 1 or shared("using Found = int;", "using Found = int;"):
+        yield "one name for two types"
+    if shared("double between(double a) {", "double between(int a) {"):
+        yield "functions of one name whose parameters differ"
+
+
 def wrong_with_scene_keys():
     """What a scene key without its line in doc/scenes.md passes by."""
     with tempfile.TemporaryDirectory() as folder:
@@ -118,7 +135,7 @@ def main():
         if not any(sentence in problem for problem in problems_of({**CLEAN, name: text})):
             print(f"not found: {name}: '{sentence}'")
             bad += 1
-    for sentence in (*wrong_with_duplicates(), *wrong_with_scene_keys()):
+    for sentence in (*wrong_with_duplicates(), *wrong_with_names_of_a_folder(), *wrong_with_scene_keys()):
         print(f"not held: {sentence}")
         bad += 1
     for problem in problems_of(CLEAN):

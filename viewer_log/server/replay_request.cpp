@@ -7,7 +7,7 @@ namespace twinbus::inline viewer_log {
 
 namespace {
 
-using What = ReplayRequest::What;
+using Asked = ReplayRequest::What;
 
 constexpr double kLongestLog = 1e7;    // [s]
 constexpr double kLongestFill = 60.0;  // [s]
@@ -67,7 +67,7 @@ bool read_replay_request(const std::string& text, bool trusted, ReplayRequest& r
     return false;
   }
   if (what == "hello") {
-    request.what = What::kHello;
+    request.what = Asked::kHello;
     return true;
   }
   if (what == "stop") {
@@ -78,44 +78,44 @@ bool read_replay_request(const std::string& text, bool trusted, ReplayRequest& r
     problem = "watching only: open the address that the viewer printed to get the buttons";
     return false;
   }
-  const auto is = [&](const char* name, What kind) {
+  const auto is = [&](const char* name, Asked kind) {
     if (what != name) return false;
     request.what = kind;
     return true;
   };
-  if (is("play", What::kPlay) || is("pause", What::kPause)) return true;
-  if (is("seek", What::kSeek)) {
+  if (is("play", Asked::kPlay) || is("pause", Asked::kPause)) return true;
+  if (is("seek", Asked::kSeek)) {
     problem = "seek: s must be a time in seconds";
     return number_member(json, "s", 0.0, kLongestLog, request.seconds);
   }
-  if (is("step", What::kStep)) {
+  if (is("step", Asked::kStep)) {
     problem = "step: by must be 1 or -1";
     return read_step(json, request.by);
   }
-  if (is("speed", What::kSpeed)) {
+  if (is("speed", Asked::kSpeed)) {
     problem = "speed: x must be from 0.05 to 16";
     return number_member(json, "x", kSlowest, kFastest, request.speed);
   }
-  if (is("loop", What::kLoop)) {
+  if (is("loop", Asked::kLoop)) {
     problem = "loop: on must be true or false";
     return read_switch(json, request.on);
   }
-  if (is("mark", What::kMark)) {
+  if (is("mark", Asked::kMark)) {
     problem = "mark: in and out must be times or null, out behind in";
     return read_marks(json, request);
   }
-  if (is("open", What::kOpen)) {
+  if (is("open", Asked::kOpen)) {
     problem = "open: log must be the name of one that is listed";
     return text_of_member(json, "log", request.log);
   }
-  if (is("beside", What::kBeside)) {
+  if (is("beside", Asked::kBeside)) {
     problem =
         "beside: log must be the name of one that is listed, or empty, and shift a number of "
         "seconds";
     return text_of_member(json, "log", request.log) &&
            number_member(json, "shift", -kLongestLog, kLongestLog, request.seconds);
   }
-  if (is("fill", What::kFill)) {
+  if (is("fill", Asked::kFill)) {
     problem = "fill: seconds must be from 0 to 60";
     return number_member(json, "seconds", 0.0, kLongestFill, request.seconds);
   }

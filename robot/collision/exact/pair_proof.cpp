@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
 
@@ -16,9 +17,8 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kSmallest = 1e-3;  // a cell that moves links by less is not cut further [m]
-constexpr double kRounding = 1e-6;  // of distances and poses [m]
+constexpr double kProofRounding = 1e-6;  // of distances and poses [m]
 
 struct Range {
   double low = 0.0, high = 0.0;
@@ -34,8 +34,8 @@ Range range_of(const Model& model, int j, double beyond) {
   }
   const bool turns = joint.kind != JointKind::kPrismatic;
   if (joint.kind == JointKind::kContinuous ||
-      (turns && !(joint.upper - joint.lower + 2.0 * beyond < 2.0 * kPi)))
-    return {-kPi, kPi};
+      (turns && !(joint.upper - joint.lower + 2.0 * beyond < 2.0 * std::numbers::pi)))
+    return {-std::numbers::pi, std::numbers::pi};
   return {joint.lower - beyond, joint.upper + beyond};
 }
 
@@ -81,7 +81,7 @@ class Prover {
           widest = k;
         }
       }
-      if (distance(pair, moves) > moves + kRounding) continue;
+      if (distance(pair, moves) > moves + kProofRounding) continue;
       if (!(moves > kSmallest)) return false;
       Cell left = cell, right = cell;
       const Range& r = cell.ranges[widest];
@@ -119,7 +119,7 @@ class Prover {
 
   double motion(std::size_t k, double half) const {
     if (model_.joints[at(joints_[k])].kind == JointKind::kPrismatic) return half;
-    return 2.0 * reach_[k] * std::sin(0.5 * std::min(half, kPi));
+    return 2.0 * reach_[k] * std::sin(0.5 * std::min(half, std::numbers::pi));
   }
 
   double distance(const CollisionPair& pair, double far) {
@@ -127,7 +127,7 @@ class Prover {
     return gjk_distance(hulls_[at(geometry_.of_link[at(pair.link_a)])],
                         kinematics_.link_in_world(pair.link_a),
                         hulls_[at(geometry_.of_link[at(pair.link_b)])],
-                        kinematics_.link_in_world(pair.link_b), far + 2.0 * kRounding)
+                        kinematics_.link_in_world(pair.link_b), far + 2.0 * kProofRounding)
         .below;
   }
 

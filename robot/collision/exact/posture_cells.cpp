@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "robot/collision/collision_pairs.h"
@@ -20,7 +21,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostClusters = 65535;  // that a list can name
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kRounding = 1e-5;  // of distances and poses, the check's single precision too [m]
 constexpr double kEdge = 1e-9;      // postures this far over the edge of a cell may be taken for it
 
@@ -84,8 +84,8 @@ JointCells unknown_cells(const Model& model, const Sides& sides, int per_joint) 
     for (const int j : side) {
       const Joint& joint = model.joints[at(j)];
       const bool turns = joint.kind != JointKind::kPrismatic;
-      const double low = turns ? std::max(joint.lower, -kPi) : joint.lower;
-      const double high = turns ? std::min(joint.upper, kPi) : joint.upper;
+      const double low = turns ? std::max(joint.lower, -std::numbers::pi) : joint.lower;
+      const double high = turns ? std::min(joint.upper, std::numbers::pi) : joint.upper;
       if (!(std::isfinite(high - low) && high > low)) return {};
       const int k = cells.joints++;
       cells.joint[k] = j;
@@ -177,7 +177,7 @@ class Finder {
           const Vector3d arm = center - kinematics_.link_in_world(j + 1).translation();
           const double reach =
               kinematics_.axis_in_world(j).cross(arm).norm() + pieces[p].ball.radius + moved;
-          moved += 2.0 * reach * std::sin(0.5 * std::min(half, kPi));
+          moved += 2.0 * reach * std::sin(0.5 * std::min(half, std::numbers::pi));
         }
         moved_[s][p] = moved;
         centers_[s][p] = center;

@@ -69,7 +69,6 @@ namespace avx512_lanes {
 // clang-format on
 
 namespace {
-constexpr int kLanes = kCollisionLanes;
 }
 
 struct SelfCollision::Impl {
@@ -166,15 +165,15 @@ void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
 void SelfCollision::Impl::want(const CollisionPair& pair, bool on) noexcept {
   int a = body_of[at(pair.link_a)], b = body_of[at(pair.link_b)];
   if (a > b) std::swap(a, b);
-  unsigned char& byte = wanted[at(a * tables.blocks + b / kLanes)];
-  const auto mask = static_cast<unsigned char>(1U << (b % kLanes));
+  unsigned char& byte = wanted[at(a * tables.blocks + b / kCollisionLanes)];
+  const auto mask = static_cast<unsigned char>(1U << (b % kCollisionLanes));
   byte = static_cast<unsigned char>(on ? byte | mask : byte & ~mask);
 }
 
 void SelfCollision::Impl::add_pairs(const Model& model, const RobotGeometry& geometry) {
   const int n = static_cast<int>(bodies.size());
   tables.bodies = n;
-  tables.blocks = static_cast<int>(padded_lanes(bodies.size())) / kLanes;
+  tables.blocks = static_cast<int>(padded_lanes(bodies.size())) / kCollisionLanes;
   wanted.assign(at(n * tables.blocks), 0);
   pair_of.assign(at(n * n), -1);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -247,13 +246,13 @@ void SelfCollision::Impl::connect() {
     tables.sphere[3][i] = bodies[i].sphere[3];
     tables.capsule_radius[i] = bodies[i].from[3];
   }
-  near.resize(pairs.size() + kLanes);
+  near.resize(pairs.size() + kCollisionLanes);
   hits.assign(pairs.size() + 1, 0);
   memory.assign(pairs.size(), {});
   cells.assign(pairs.size(), {});
-  bound.resize(padded_lanes(pairs.size()) + kLanes);
-  kept.resize(14 * at(tables.most_clusters) + kLanes);
-  open.assign(at(tables.most_clusters) / kLanes + 1, 0);
+  bound.resize(padded_lanes(pairs.size()) + kCollisionLanes);
+  kept.resize(14 * at(tables.most_clusters) + kCollisionLanes);
+  open.assign(at(tables.most_clusters) / kCollisionLanes + 1, 0);
   tables.joint = joints.data();
   tables.joints = static_cast<int>(joints.size());
   tables.body = bodies.data();

@@ -8,7 +8,6 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr int kLanes = kCollisionLanes;
 constexpr int kInnerBalls = 24, kInnerPoints = 8;  // of a link, at most
 
 CollisionTriangleBoxes boxes_of(const TriangleCluster& cluster) {
@@ -35,18 +34,18 @@ void set4(const Eigen::Vector3d& v, double last, float (&to)[4]) {
 // Clusters come in the order of their tree, so eight in a row lie together.
 void CollisionBodyStore::group() {
   const std::vector<TriangleCluster>& clusters = clusters_;
-  const std::size_t blocks = padded_lanes(clusters.size()) / kLanes;
+  const std::size_t blocks = padded_lanes(clusters.size()) / kCollisionLanes;
   for (AlignedNumbers& c : block_center_) c.resize(padded_lanes(blocks), 1e9F);
   block_radius_.resize(padded_lanes(blocks));
   for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t end = std::min(clusters.size(), kLanes * (b + 1));
+    const std::size_t end = std::min(clusters.size(), kCollisionLanes * (b + 1));
     const auto center = [&](std::size_t i) {
       return Eigen::Vector3d(static_cast<double>(clusters[i].center[0]),
                              static_cast<double>(clusters[i].center[1]),
                              static_cast<double>(clusters[i].center[2]));
     };
-    Eigen::Vector3d low = center(kLanes * b), high = low;
-    for (std::size_t i = kLanes * b; i < end; ++i) {
+    Eigen::Vector3d low = center(kCollisionLanes * b), high = low;
+    for (std::size_t i = kCollisionLanes * b; i < end; ++i) {
       const Eigen::Vector3d reach =
           Eigen::Vector3d::Constant(static_cast<double>(clusters[i].radius));
       low = low.cwiseMin(center(i) - reach);
@@ -54,7 +53,7 @@ void CollisionBodyStore::group() {
     }
     const Eigen::Vector3d middle = 0.5 * (low + high);
     double radius = 0.0;
-    for (std::size_t i = kLanes * b; i < end; ++i) {
+    for (std::size_t i = kCollisionLanes * b; i < end; ++i) {
       radius =
           std::max(radius, (center(i) - middle).norm() + static_cast<double>(clusters[i].radius));
     }

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kColumns = 12;        // of candidates along the longer edges of the link's box
 constexpr double kSmallest = 1e-3;  // radius [m]
-constexpr double kRounding = 1e-6;  // of distances, corners being in single precision [m]
+constexpr double kCornerRounding = 1e-6;  // of distances, corners being in single precision [m]
 constexpr double kNewGround =
     0.75;  // a centre is at least so far out of the balls before, in radii
 
@@ -76,7 +76,7 @@ double clearance(const std::vector<TriangleCluster>& clusters, const Vector3d& p
                                                      corner(*c, 2, lane)}));
     }
   }
-  return std::sqrt(nearest2) - kRounding;
+  return std::sqrt(nearest2) - kCornerRounding;
 }
 
 // Heights at which a line along z crosses the mesh.

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 // Bounds of links are used in single precision, up to two metres from the base.
 constexpr double kGrowLink = 1e-6, kGrowShare = 1e-5;  // [m], of the radius
-constexpr double kRounding = 1e-14;                    // share, of a radius in double precision
+constexpr double kRadiusRounding = 1e-14;                    // share, of a radius in double precision
 
 double grown_link(double radius) { return radius * (1.0 + kGrowShare) + kGrowLink; }
 
@@ -29,7 +29,7 @@ void find_bounds(LinkGeometry& g, std::vector<int>& order) {
   g.hull = convex_hull(g.mesh.points);
   const auto grown = [&](double radius, auto distance) {
     for (const Vector3d& p : g.mesh.points) radius = std::max(radius, distance(p));
-    return grown_link(radius) * (1.0 + kRounding);
+    return grown_link(radius) * (1.0 + kRadiusRounding);
   };
   g.sphere = ball_around(g.hull.points);
   g.sphere.radius =
