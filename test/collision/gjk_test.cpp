@@ -20,7 +20,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-GjkShape shape(ShapeKind kind, double x, double y = 0.0, double z = 0.0) {
+GjkShape gjk_shape(ShapeKind kind, double x, double y = 0.0, double z = 0.0) {
   GjkShape s;
   s.kind = kind;
   s.half = Vector3d(x, y, z);
@@ -48,9 +48,9 @@ TEST(Gjk, KnownDistances) {
   const Isometry3d here = Isometry3d::Identity();
   Isometry3d there = here;
   there.translation() = Vector3d(0.0, 0.0, 1.0);
-  const GjkShape ball = shape(ShapeKind::kSphere, 0.2);
-  const GjkShape box = shape(ShapeKind::kBox, 0.3, 0.3, 0.3);
-  const GjkShape can = shape(ShapeKind::kCylinder, 0.1, 0.4);
+  const GjkShape ball = gjk_shape(ShapeKind::kSphere, 0.2);
+  const GjkShape box = gjk_shape(ShapeKind::kBox, 0.3, 0.3, 0.3);
+  const GjkShape can = gjk_shape(ShapeKind::kCylinder, 0.1, 0.4);
   EXPECT_NEAR(gjk_distance(ball, here, ball, there, 9.0).distance, 0.6, 1e-12);
   EXPECT_NEAR(gjk_distance(ball, here, box, there, 9.0).distance, 0.5, 1e-12);
   EXPECT_NEAR(gjk_distance(box, here, can, there, 9.0).distance, 0.3, 1e-12);
@@ -64,9 +64,9 @@ TEST(Gjk, KnownDistances) {
 // The separation along the normal is a proof from below; points and their distance are one from above.
 TEST(Gjk, EveryDistanceIsProvedFromBothSides) {
   std::mt19937_64 random(5);
-  const std::vector<GjkShape> shapes{shape(ShapeKind::kSphere, 0.1),
-                                     shape(ShapeKind::kBox, 0.1, 0.05, 0.2),
-                                     shape(ShapeKind::kCylinder, 0.06, 0.15)};
+  const std::vector<GjkShape> shapes{gjk_shape(ShapeKind::kSphere, 0.1),
+                                     gjk_shape(ShapeKind::kBox, 0.1, 0.05, 0.2),
+                                     gjk_shape(ShapeKind::kCylinder, 0.06, 0.15)};
   int apart = 0;
   for (int i = 0; i < 30000; ++i) {
     const GjkShape& a = shapes[static_cast<std::size_t>(i % 3)];
@@ -89,7 +89,7 @@ TEST(Gjk, EveryDistanceIsProvedFromBothSides) {
 
 TEST(Gjk, AHullOfPointsIsAsFarAwayAsTheBox) {
   std::mt19937_64 random(6);
-  const GjkShape box = shape(ShapeKind::kBox, 0.1, 0.05, 0.2);
+  const GjkShape box = gjk_shape(ShapeKind::kBox, 0.1, 0.05, 0.2);
   const GjkShape points = box_as_points(box.half);
   const NoAlloc no_alloc;
   for (int i = 0; i < 10000; ++i) {
@@ -104,7 +104,7 @@ TEST(Gjk, AHullOfPointsIsAsFarAwayAsTheBox) {
 TEST(Gjk, EndsAsNearToTheDistanceAsIsAsked) {
   Isometry3d there = Isometry3d::Identity();
   there.linear() = Eigen::AngleAxisd(0.7, Vector3d(0.6, 0.0, 0.8)).toRotationMatrix();
-  const GjkShape tube = shape(ShapeKind::kCylinder, 0.05, 0.2);
+  const GjkShape tube = gjk_shape(ShapeKind::kCylinder, 0.05, 0.2);
   double coarsest = 0.0;
   for (int k = 0; k < 50; ++k) {
     there.translation() = Vector3d(0.2 + 0.002 * k, 0.3 - 0.003 * k, 0.1);
@@ -234,7 +234,7 @@ TEST(Gjk, ManyCornersInOneDirectionAreAllSeen) {
 TEST(Gjk, StopsEarlyWhenFarAway) {
   Isometry3d there = Isometry3d::Identity();
   there.translation() = Vector3d(0.3, 0.4, 1.0);
-  const GjkShape box = shape(ShapeKind::kBox, 0.1, 0.1, 0.1);
+  const GjkShape box = gjk_shape(ShapeKind::kBox, 0.1, 0.1, 0.1);
   const GjkResult r = gjk_distance(box, Isometry3d::Identity(), box, there, 0.1);
   EXPECT_GT(r.below, 0.1);
   EXPECT_LE(r.below, gjk_distance(box, Isometry3d::Identity(), box, there, 9.0).distance + 1e-12);

@@ -17,7 +17,7 @@
 namespace twinbus {
 namespace {
 
-constexpr std::uint64_t kSeed = 7;
+constexpr std::uint64_t kGuardSeed = 7;
 
 std::size_t bus(const std::string& name) {
   const Model& model = hrp1s();
@@ -176,7 +176,7 @@ TEST(Guard, ARobotThatStandsALittleOtherwiseTakesOverWithoutAStop) {
 TEST(Guard, MotionAwayIsNotBlockedAndMotionDeeperIs) {
   const Model& model = hrp1s();
   Watch watch(model);
-  std::mt19937_64 random(kSeed + 1);
+  std::mt19937_64 random(kGuardSeed + 1);
   constexpr double kRamp = 0.06;  // [rad]
   int away = 0;
   int deeper = 0;
@@ -347,7 +347,7 @@ INSTANTIATE_TEST_SUITE_P(Guard, AnyMargin, ::testing::Bool());
 TEST_P(AnyMargin, RandomMotionsNeverTouch) {
   const Model model = GetParam() ? with_margins(pairs_to_check(hrp1s()), 0.003) : hrp1s();
   Watch watch(model);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kGuardSeed);
   std::normal_distribution<double> unit;
   int masked = 0;
   int looks = 0;

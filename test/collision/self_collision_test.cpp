@@ -15,7 +15,7 @@
 namespace twinbus {
 namespace {
 
-constexpr std::uint64_t kSeed = 20261122;
+constexpr std::uint64_t kSelfSeed = 20261122;
 
 const RobotGeometry& shapes() {
   static const RobotGeometry geometry = build_geometry(hrp1s());
@@ -61,7 +61,7 @@ TEST(SelfCollision, MissesNothingThatFclFindsAndAddsOnlyWhatTheTrianglesStickOut
   Collision distances(model);
   const FclOracle oracle(model);
   Kinematics kinematics(model);
-  std::mt19937_64 random(kSeed);
+  std::mt19937_64 random(kSelfSeed);
   const Configuration home = named_posture(model, "half_sitting");
   int hits = 0;
   for (int i = 0; i < 600; ++i) {
@@ -94,7 +94,7 @@ TEST(SelfCollision, EveryInstructionSetSaysTheSame) {
   const Model& model = hrp1s();
   SelfCollision narrow(model, shapes()), wide(model, shapes());
   narrow.use(InstructionSet::kBaseline);
-  std::mt19937_64 random(kSeed + 1);
+  std::mt19937_64 random(kSelfSeed + 1);
   const Configuration home = named_posture(model, "half_sitting");
   std::vector<float> a(wide.pairs().size()), b = a;
   for (int i = 0; i < 2000; ++i) {
@@ -111,7 +111,7 @@ TEST(SelfCollision, LowerBoundsAreBelowTheDistance) {
   SelfCollision check(model, shapes());
   Collision collision(model);
   Kinematics kinematics(model);
-  std::mt19937_64 random(kSeed + 2);
+  std::mt19937_64 random(kSelfSeed + 2);
   const Configuration home = named_posture(model, "half_sitting");
   int compared = 0;
   for (int i = 0; i < 200; ++i) {
@@ -165,7 +165,7 @@ TEST(SelfCollision, APairCanBeLeftOutAndTakenInAgain) {
 TEST(SelfCollision, AllocatesNothingAndRefusesLinksWithoutGeometry) {
   const Model& model = hrp1s();
   SelfCollision check(model, shapes());
-  std::mt19937_64 random(kSeed + 3);
+  std::mt19937_64 random(kSelfSeed + 3);
   const Configuration c = random_posture(model, named_posture(model, "half_sitting"), 1.0, random);
   const NoAlloc no_alloc;
   check.place(c.q);

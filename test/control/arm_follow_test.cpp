@@ -12,10 +12,10 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
+constexpr double kArmDt = 0.002;
 
 // One arm joint from 0 to 0.4 rad in 2 s, in three pieces.
-struct Fixture {
+struct ArmFollowRig {
   const Model& model = test::hrp1s();
   Posture posture{model};
   ArmFollow follow{model};
@@ -23,7 +23,7 @@ struct Fixture {
   int bus = -1;
   std::vector<ArmPathPiece> pieces;
 
-  Fixture() {
+  ArmFollowRig() {
     for (int k = 0; k < model.bus_count(); ++k) {
       if (model.bus_joints[static_cast<std::size_t>(k)] == joint) bus = k;
     }
@@ -56,20 +56,20 @@ struct Fixture {
     for (const ArmPathPiece& piece : pieces) follow.add(piece);
   }
   void tick(std::int64_t mask = 0) {
-    posture.advance(kDt);
-    follow.update(posture, mask, kDt);
+    posture.advance(kArmDt);
+    follow.update(posture, mask, kArmDt);
   }
   std::int64_t bit() const { return std::int64_t{1} << bus; }
 };
 
 TEST(ArmFollow, FollowsAWholePathToItsEndSmoothly) {
-  Fixture f;
+  ArmFollowRig f;
   f.hear();
   const double begin = f.posture.q(f.bus);
   double last = begin, speed = 0.0;
   for (int i = 0; i < 1400; ++i) {
     f.tick();
-    const double now = (f.posture.q(f.bus) - last) / kDt;
+    const double now = (f.posture.q(f.bus) - last) / kArmDt;
     ASSERT_LT(std::abs(now - speed), 0.02) << i;
     ASSERT_NEAR(f.posture.qd(f.bus), now, 0.02) << i;
     speed = now;
@@ -81,7 +81,7 @@ TEST(ArmFollow, FollowsAWholePathToItsEndSmoothly) {
 }
 
 TEST(ArmFollow, PiecesMayComeInAnyOrderAndTwice) {
-  Fixture f;
+  ArmFollowRig f;
   for (int i : {2, 0, 2, 1, 1}) f.follow.add(f.pieces[static_cast<std::size_t>(i)]);
   f.tick();
   EXPECT_EQ(f.follow.state(), ArmState::kFollowing);
@@ -89,7 +89,7 @@ TEST(ArmFollow, PiecesMayComeInAnyOrderAndTwice) {
 }
 
 TEST(ArmFollow, AnIncompletePathNeverStarts) {
-  Fixture f;
+  ArmFollowRig f;
   f.follow.add(f.pieces[0]);
   f.follow.add(f.pieces[2]);
   for (int i = 0; i < 500; ++i) f.tick();
@@ -130,7 +130,7 @@ TEST(ArmFollow, APathThatMakesNoSenseIsRefusedWithAReason) {
     }
   };
   for (int how = 0; how < 9; ++how) {
-    Fixture f;
+    ArmFollowRig f;
     for (ArmPathPiece& piece : f.pieces) {
       if (how >= 6 || piece.piece == 1) spoil(how, piece);
     }
@@ -147,7 +147,7 @@ TEST(ArmFollow, APathThatMakesNoSenseIsRefusedWithAReason) {
 }
 
 TEST(ArmFollow, APathThatBeginsElsewhereIsRefused) {
-  Fixture f;
+  ArmFollowRig f;
   f.pieces = f.path(1, f.posture.q(f.bus) + 0.2);
   f.hear();
   const double before = f.posture.q(f.bus);
@@ -166,7 +166,7 @@ TEST(ArmFollow, APathThatBeginsElsewhereIsRefused) {
 }
 
 TEST(ArmFollow, TheGuardStopsTheArmOnItsPathAndLetsItGoOnLater) {
-  Fixture f;
+  ArmFollowRig f;
   f.hear();
   for (int i = 0; i < 500; ++i) f.tick();
   for (int i = 0; i < 200; ++i) f.tick(f.bit());
@@ -179,7 +179,7 @@ TEST(ArmFollow, TheGuardStopsTheArmOnItsPathAndLetsItGoOnLater) {
 }
 
 TEST(ArmFollow, APathBlockedAgainAndAgainIsGivenUp) {
-  Fixture f;
+  ArmFollowRig f;
   f.hear();
   for (int block = 0; block < 5; ++block) {
     for (int i = 0; i < 350; ++i) f.tick();
@@ -191,14 +191,14 @@ TEST(ArmFollow, APathBlockedAgainAndAgainIsGivenUp) {
 }
 
 TEST(ArmFollow, ACancelEndsOnThePathWithoutAJerk) {
-  Fixture f;
+  ArmFollowRig f;
   f.hear();
   for (int i = 0; i < 500; ++i) f.tick();
   f.follow.cancel();
   double last = f.posture.q(f.bus), speed = f.posture.qd(f.bus);
   for (int i = 0; i < 300; ++i) {
     f.tick();
-    const double now = (f.posture.q(f.bus) - last) / kDt;
+    const double now = (f.posture.q(f.bus) - last) / kArmDt;
     ASSERT_LT(std::abs(now - speed), 0.03);
     speed = now;
     last = f.posture.q(f.bus);
@@ -208,7 +208,7 @@ TEST(ArmFollow, ACancelEndsOnThePathWithoutAJerk) {
 }
 
 TEST(ArmFollow, ADroppedPathMovesNothingFromThatTickOn) {
-  Fixture f;
+  ArmFollowRig f;
   f.hear();
   for (int i = 0; i < 500; ++i) f.tick();
   f.follow.drop();
@@ -218,7 +218,7 @@ TEST(ArmFollow, ADroppedPathMovesNothingFromThatTickOn) {
 }
 
 TEST(ArmFollow, APathIsFollowedOnceThoughItIsHeardAgain) {
-  Fixture f;
+  ArmFollowRig f;
   f.hear();
   for (int i = 0; i < 2000; ++i) f.tick();
   ASSERT_EQ(f.follow.state(), ArmState::kDone);

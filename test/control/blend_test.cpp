@@ -8,7 +8,7 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
+constexpr double kBlendDt = 0.002;
 
 SetPoint point(double q, double qd, double tau, double kp) {
   SetPoint p;
@@ -40,7 +40,7 @@ TEST(Blend, EndsAtTheNewSetPointAndLeavesItAlone) {
   SetPoint p;
   for (int i = 0; i < 251; ++i) {
     p = fresh;
-    blend.apply(p, kDt);
+    blend.apply(p, kBlendDt);
   }
   EXPECT_FALSE(blend.active());
   EXPECT_EQ(p.q, fresh.q);
@@ -68,13 +68,13 @@ TEST(Blend, AChangeInMidFadeDoesNotStep) {
   SetPoint out;
   for (int i = 0; i < 100; ++i) {
     out = b;
-    blend.apply(out, kDt);
+    blend.apply(out, kBlendDt);
   }
   const SetPoint last = out;
   blend.start(last, a, 0, 0.5);
   out = a;
-  blend.apply(out, kDt);
-  EXPECT_NEAR(out.q[0], last.q[0] + kDt * last.qd[0], 1e-4);
+  blend.apply(out, kBlendDt);
+  EXPECT_NEAR(out.q[0], last.q[0] + kBlendDt * last.qd[0], 1e-4);
   EXPECT_NEAR(out.qd[0], last.qd[0], 0.05);
   EXPECT_NEAR(out.tau[0], last.tau[0], 0.05);
 }
@@ -87,7 +87,7 @@ TEST(Blend, TheSpeedOfWhatIsMeasuredIsNotCarriedOn) {
   double measured = 0.0, wanted = 0.0;
   for (int i = 0; i < 250; ++i) {
     SetPoint p;
-    blend.apply(p, kDt);
+    blend.apply(p, kBlendDt);
     measured = std::max(measured, std::abs(p.q[0]));
     wanted = std::max(wanted, std::abs(p.q[1]));
   }
@@ -106,8 +106,8 @@ TEST(Blend, TheTorqueOfATickIsNotKeptWhereSetPointsAreWhatIsMeasured) {
   double kept[2] = {};  // impulse [N m s]
   for (int i = 0; i < 250; ++i) {
     p = fresh;
-    blend.apply(p, kDt);
-    for (std::size_t j = 0; j < 2; ++j) kept[j] += kDt * p.tau[j];
+    blend.apply(p, kBlendDt);
+    for (std::size_t j = 0; j < 2; ++j) kept[j] += kBlendDt * p.tau[j];
   }
   EXPECT_LT(kept[0], 0.15 * kept[1]);
 }
@@ -117,7 +117,7 @@ TEST(Blend, CancelledChangesNothing) {
   blend.start(point(1.0, 1.0, 1.0, 1.0), point(0.0, 0.0, 0.0, 0.0), 0, 0.5);
   blend.cancel();
   SetPoint p = point(0.2, 0.0, 0.0, 0.0);
-  blend.apply(p, kDt);
+  blend.apply(p, kBlendDt);
   EXPECT_EQ(p.q[0], 0.2);
 }
 

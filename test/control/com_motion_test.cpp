@@ -9,13 +9,13 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
+constexpr double kComDt = 0.002;
 const Eigen::Vector3d kHome(0.01, 0.0, 0.75);
 
 ComMotion at_home() {
   ComMotion motion;
   motion.start(kHome, kHome, Eigen::Vector3d::Zero(), 0.01);
-  for (int i = 0; i < 20; ++i) motion.advance(kDt);
+  for (int i = 0; i < 20; ++i) motion.advance(kComDt);
   return motion;
 }
 
@@ -23,10 +23,10 @@ ComMotion at_home() {
 void expect_smooth(ComMotion& motion, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     const Eigen::Vector3d p = motion.position(), v = motion.velocity();
-    motion.advance(kDt);
-    ASSERT_NEAR(((motion.position() - p) / kDt - 0.5 * (v + motion.velocity())).norm(), 0.0, 4e-3)
+    motion.advance(kComDt);
+    ASSERT_NEAR(((motion.position() - p) / kComDt - 0.5 * (v + motion.velocity())).norm(), 0.0, 4e-3)
         << i;
-    ASSERT_NEAR(((motion.velocity() - v) / kDt - motion.acceleration()).norm(), 0.0, 0.15) << i;
+    ASSERT_NEAR(((motion.velocity() - v) / kComDt - motion.acceleration()).norm(), 0.0, 0.15) << i;
   }
 }
 
@@ -47,7 +47,7 @@ TEST(ComMotion, SwayReachesItsAmplitudeOnBothSidesAndOnlyThere) {
   expect_smooth(motion, 1500);
   double low = 0.0, high = 0.0;
   for (int i = 0; i < 2500; ++i) {
-    motion.advance(kDt);
+    motion.advance(kComDt);
     low = std::min(low, motion.position().y());
     high = std::max(high, motion.position().y());
     ASSERT_NEAR(motion.position().x(), kHome.x(), 1e-12);
@@ -61,7 +61,7 @@ TEST(ComMotion, ASquatNeverRisesAboveHome) {
   motion.request(Motion::kSquat, 0.05, 0.3);
   double low = 1.0, high = 0.0;
   for (int i = 0; i < 5000; ++i) {
-    motion.advance(kDt);
+    motion.advance(kComDt);
     const double height = motion.position().z();
     low = std::min(low, height);
     high = std::max(high, height);
@@ -87,13 +87,13 @@ TEST(ComMotion, WhatIsAskedTooMuchIsCutAndNonsenseIsIgnored) {
   motion.request(Motion::kSway, 10.0, 1e6);
   double most = 0.0;
   for (int i = 0; i < 3000; ++i) {
-    motion.advance(kDt);
+    motion.advance(kComDt);
     most = std::max(most, motion.acceleration().norm());
   }
   EXPECT_LT(most, 2.5);
   motion.request(Motion::kSquat, std::numeric_limits<double>::quiet_NaN(), 0.3);
   EXPECT_EQ(motion.motion(), Motion::kSway);
-  motion.advance(kDt);
+  motion.advance(kComDt);
   EXPECT_TRUE(motion.position().allFinite());
 }
 
@@ -102,7 +102,7 @@ TEST(ComMotion, ALeanComesAndGoesSmoothly) {
   motion.lean({0.04, 0.0, -0.05});
   double most = 0.0, jump = 0.0, last = 0.0;
   for (int i = 0; i < 1500; ++i) {
-    motion.advance(kDt);
+    motion.advance(kComDt);
     const double now = motion.acceleration().norm();
     most = std::max(most, now);
     jump = std::max(jump, std::abs(now - last));
@@ -112,7 +112,7 @@ TEST(ComMotion, ALeanComesAndGoesSmoothly) {
   EXPECT_LT(jump, 0.02) << "from one tick to the next [m/s^2]";
   EXPECT_NEAR((motion.position() - kHome - Eigen::Vector3d(0.04, 0.0, -0.05)).norm(), 0.0, 1e-4);
   motion.lean(Eigen::Vector3d::Zero());
-  for (int i = 0; i < 1500; ++i) motion.advance(kDt);
+  for (int i = 0; i < 1500; ++i) motion.advance(kComDt);
   EXPECT_NEAR((motion.position() - kHome).norm(), 0.0, 1e-4);
 }
 

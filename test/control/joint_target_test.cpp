@@ -11,7 +11,7 @@
 namespace twinbus {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kJointMs = 1'000'000;
 
 class JointJog : public ::testing::Test {
  protected:
@@ -47,7 +47,7 @@ TEST_F(JointJog, AHeldKeyMovesTheJointAtABoundedSpeed) {
   double fastest = 0.0, middle = 0.0;
   for (std::int64_t ms = 0; ms < 4000; ms += 2) {
     if (ms % 34 == 0 && ms < 2000) target_.move(0.1, state_, Mode::kPose);
-    if (next(ms * kMs)) {
+    if (next(ms * kJointMs)) {
       EXPECT_EQ(pose_.mode, Mode::kPose);
       EXPECT_EQ(pose_.joint_mask, std::int64_t{1} << target_.chosen());
       posture.move(pose_.q, pose_.joint_mask, static_cast<double>(pose_.duration));
@@ -66,7 +66,7 @@ TEST_F(JointJog, AHeldKeyMovesTheJointAtABoundedSpeed) {
 TEST_F(JointJog, StopsAtItsLimitAndSaysSo) {
   q() = joint().upper - 0.01;
   for (int i = 0; i < 20; ++i) target_.move(0.1, state_, Mode::kHold);
-  ASSERT_TRUE(next(kMs * 1000));
+  ASSERT_TRUE(next(kJointMs * 1000));
   EXPECT_EQ(pose_.q[at(target_.chosen())], joint().upper);
   EXPECT_NE(target_.words(state_).find("is at its upper limit"), std::string::npos);
   target_.move(-0.1, state_, Mode::kHold);
@@ -78,10 +78,10 @@ TEST_F(JointJog, LeadsBackAtOnceFromWhereItIsHeld) {
   q() = 0.1;
   for (std::int64_t ms = 1000; ms < 2000; ms += 20) {
     target_.move(0.05, state_, Mode::kPose);
-    (void)next(ms * kMs, Mode::kPose);
+    (void)next(ms * kJointMs, Mode::kPose);
   }
   target_.move(-0.05, state_, Mode::kPose);
-  ASSERT_TRUE(next(2200 * kMs, Mode::kPose));
+  ASSERT_TRUE(next(2200 * kJointMs, Mode::kPose));
   EXPECT_LT(pose_.q[at(target_.chosen())], q());
 }
 
@@ -90,31 +90,31 @@ TEST_F(JointJog, SaysThatItIsHeldWhenItDoesNotGo) {
   std::int64_t ms = 1000;
   for (; ms < 1400; ms += 10) {
     target_.move(0.05, state_, Mode::kPose);
-    (void)next(ms * kMs, Mode::kPose);
+    (void)next(ms * kJointMs, Mode::kPose);
   }
   EXPECT_FALSE(target_.is_held());
   for (; ms < 2200; ms += 10) {
     target_.move(0.05, state_, Mode::kPose);
-    (void)next(ms * kMs, Mode::kPose);
+    (void)next(ms * kJointMs, Mode::kPose);
   }
   EXPECT_TRUE(target_.is_held());
   EXPECT_NE(target_.words(state_).find("is held"), std::string::npos);
   state_.qd[at(target_.chosen())] = 0.2F;
-  (void)next(ms * kMs, Mode::kPose);
+  (void)next(ms * kJointMs, Mode::kPose);
   EXPECT_FALSE(target_.is_held());
 }
 
 TEST_F(JointJog, StopsWhereItIsWhenLetGo) {
   q() = 0.1;
   for (int i = 0; i < 5; ++i) target_.move(0.1, state_, Mode::kHold);
-  ASSERT_TRUE(next(kMs * 1000));
+  ASSERT_TRUE(next(kJointMs * 1000));
   q() = 0.12;
   target_.stop();
-  ASSERT_TRUE(next(kMs * 1010));
+  ASSERT_TRUE(next(kJointMs * 1010));
   EXPECT_EQ(pose_.q[at(target_.chosen())], 0.12);
-  EXPECT_FALSE(next(kMs * 1020)) << "once";
+  EXPECT_FALSE(next(kJointMs * 1020)) << "once";
   target_.stop();
-  EXPECT_FALSE(next(kMs * 1030)) << "nothing to stop";
+  EXPECT_FALSE(next(kJointMs * 1030)) << "nothing to stop";
 }
 
 TEST_F(JointJog, SendsNothingMoreInAModeThatAPoseWouldEnd) {
@@ -122,46 +122,46 @@ TEST_F(JointJog, SendsNothingMoreInAModeThatAPoseWouldEnd) {
   for (const Mode mode : {Mode::kIdle, Mode::kWalk, Mode::kStop}) {
     const auto jogged = [&] {
       target_.move(0.1, state_, Mode::kHold);
-      const bool asked = next(kMs * (ms += 200));
+      const bool asked = next(kJointMs * (ms += 200));
       target_.move(0.1, state_, Mode::kHold);
       return asked;
     };
     ASSERT_TRUE(jogged());
     target_.stop();
-    EXPECT_FALSE(next(kMs * (ms += 10), mode)) << "let go in it";
-    EXPECT_FALSE(next(kMs * (ms += 10))) << "nor after it";
+    EXPECT_FALSE(next(kJointMs * (ms += 10), mode)) << "let go in it";
+    EXPECT_FALSE(next(kJointMs * (ms += 10))) << "nor after it";
     ASSERT_TRUE(jogged());
-    EXPECT_FALSE(next(kMs * (ms += 200), mode)) << "held on in it";
+    EXPECT_FALSE(next(kJointMs * (ms += 200), mode)) << "held on in it";
     target_.stop();
-    EXPECT_FALSE(next(kMs * (ms += 10))) << "the wish is gone";
+    EXPECT_FALSE(next(kJointMs * (ms += 10))) << "the wish is gone";
   }
 }
 
 TEST_F(JointJog, DroppedItAsksForNothingNotEvenToStop) {
   target_.move(0.1, state_, Mode::kHold);
-  ASSERT_TRUE(next(kMs * 1000));
+  ASSERT_TRUE(next(kJointMs * 1000));
   target_.move(0.1, state_, Mode::kHold);
   target_.drop();
-  EXPECT_FALSE(next(kMs * 1200));
+  EXPECT_FALSE(next(kJointMs * 1200));
   target_.stop();
-  EXPECT_FALSE(next(kMs * 1210));
+  EXPECT_FALSE(next(kJointMs * 1210));
   target_.move(0.1, state_, Mode::kHold);
-  EXPECT_TRUE(next(kMs * 1220)) << "what is wished from then on is";
+  EXPECT_TRUE(next(kJointMs * 1220)) << "what is wished from then on is";
 }
 
 TEST_F(JointJog, DoesNothingWhileTheRobotWalksOrIsLetGoAndWithNonsense) {
   for (const Mode mode : {Mode::kWalk, Mode::kIdle, Mode::kStop}) {
     target_.move(0.1, state_, mode);
-    EXPECT_FALSE(next(kMs * 1000, mode));
+    EXPECT_FALSE(next(kJointMs * 1000, mode));
     EXPECT_NE(target_.words(state_), joint().name + " 0.000 rad");
   }
   for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), 0.0}) {
     target_.move(wrong, state_, Mode::kHold);
-    EXPECT_FALSE(next(kMs * 2000));
+    EXPECT_FALSE(next(kJointMs * 2000));
   }
   q() = std::nan("");
   target_.move(0.1, state_, Mode::kHold);
-  EXPECT_FALSE(next(kMs * 3000));
+  EXPECT_FALSE(next(kJointMs * 3000));
 }
 
 }  // namespace

@@ -9,13 +9,13 @@
 namespace twinbus {
 namespace {
 
-constexpr double kWeight = 120.0, kLength = 0.16, kMu = 0.5;
+constexpr double kLoad = 120.0, kLength = 0.16, kMu = 0.5;
 
 std::array<PointFoot, kPointFeet> feet(std::array<bool, 4> stands) {
   std::array<PointFoot, kPointFeet> made;
   for (std::size_t i = 0; i < 4; ++i) {
     made[i].arm << (i < 2 ? 0.19 : -0.18), (i % 2 == 0 ? 0.13 : -0.14), -0.3 + 0.01 * static_cast<double>(i);
-    made[i].most = stands[i] ? 1.2 * kWeight : 0.0;
+    made[i].most = stands[i] ? 1.2 * kLoad : 0.0;
   }
   return made;
 }
@@ -29,10 +29,10 @@ double cost(const std::array<PointFoot, kPointFeet>& feet, const TrunkWrench& wa
     moment += feet[i].arm.cross(f[i]);
     effort += f[i].squaredNorm();
   }
-  force /= kWeight;
-  moment /= kWeight * kLength;
+  force /= kLoad;
+  moment /= kLoad * kLength;
   return force.x() * force.x() + force.y() * force.y() + 4.0 * force.z() * force.z() +
-         6.0 * (moment.x() * moment.x() + moment.y() * moment.y()) + moment.z() * moment.z() + 2e-3 * effort / (kWeight * kWeight);
+         6.0 * (moment.x() * moment.x() + moment.y() * moment.y()) + moment.z() * moment.z() + 2e-3 * effort / (kLoad * kLoad);
 }
 
 // Projected gradient from nothing, until it moves no more: slow, and another way to the one minimum of a convex problem.
@@ -63,15 +63,15 @@ TEST(PointForceShare, IsTheDenseMinimumAndWithinTheCones) {
   for (int k = 0; k < 24; ++k) {
     const auto points = feet(standing[static_cast<std::size_t>(k) % 4]);
     TrunkWrench wanted;
-    wanted.force << 30.0 * one(random), 30.0 * one(random), kWeight * (1.0 + 0.4 * one(random));
+    wanted.force << 30.0 * one(random), 30.0 * one(random), kLoad * (1.0 + 0.4 * one(random));
     wanted.moment << 8.0 * one(random), 8.0 * one(random), 4.0 * one(random);
-    PointForceShare share(kWeight, kLength, kMu);
+    PointForceShare share(kLoad, kLength, kMu);
     const PointForces& shared = share.solve(points, wanted, 400);
     const PointForces reference = dense(points, wanted);
     const double least = cost(points, wanted, reference);
     EXPECT_NEAR(cost(points, wanted, shared), least, 2e-4 + 0.01 * least) << k;
     for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_LT((shared[i] - reference[i]).norm(), 0.02 * kWeight) << k << ", foot " << i;
+      EXPECT_LT((shared[i] - reference[i]).norm(), 0.02 * kLoad) << k << ", foot " << i;
       EXPECT_LE(shared[i].head<2>().norm(), kMu * shared[i].z() + 1e-9);
       EXPECT_LE(shared[i].z(), points[i].most + 1e-9);
       EXPECT_GE(shared[i].z(), 0.0);
@@ -91,25 +91,25 @@ TrunkWrench sum_of(const PointForces& forces, const std::array<PointFoot, kPoint
 TEST(PointForceShare, FourFeetGiveWhatIsAskedWithinTheCones) {
   const auto points = feet({true, true, true, true});
   TrunkWrench wanted;
-  wanted.force << 10.0, -8.0, kWeight;
+  wanted.force << 10.0, -8.0, kLoad;
   wanted.moment << 2.0, -3.0, 1.0;
-  PointForceShare share(kWeight, kLength, kMu);
+  PointForceShare share(kLoad, kLength, kMu);
   const TrunkWrench reached = sum_of(share.solve(points, wanted, 200), points);
-  EXPECT_LT((reached.force - wanted.force).norm(), 0.01 * kWeight);
-  EXPECT_LT((reached.moment - wanted.moment).norm(), 0.01 * kWeight * kLength);
+  EXPECT_LT((reached.force - wanted.force).norm(), 0.01 * kLoad);
+  EXPECT_LT((reached.moment - wanted.moment).norm(), 0.01 * kLoad * kLength);
 }
 
 // As many rounds as a tick has, from the forces of the tick before.
 TEST(PointForceShare, IsThereWithTheRoundsOfATickOnceItIsWarm) {
   const auto points = feet({true, false, false, true});
   TrunkWrench wanted;
-  wanted.force << 5.0, 5.0, kWeight;
+  wanted.force << 5.0, 5.0, kLoad;
   wanted.moment << 1.0, 0.5, 0.3;
-  PointForceShare share(kWeight, kLength, kMu);
+  PointForceShare share(kLoad, kLength, kMu);
   for (int tick = 0; tick < 10; ++tick) (void)share.solve(points, wanted, 40);
   const PointForces warm = share.solve(points, wanted, 40);
   const PointForces reference = dense(points, wanted);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_LT((warm[i] - reference[i]).norm(), 0.01 * kWeight);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_LT((warm[i] - reference[i]).norm(), 0.01 * kLoad);
 }
 
 TEST(WithinCone, IsTheNearestForce) {

@@ -26,7 +26,7 @@ std::size_t bus(const std::string& name) {
 
 // A robot whose base stands and whose joints follow the equation of the header, in small explicit steps: the other way to
 // compute what the predictor says.
-struct Fixture {
+struct ServoRig {
   const Model& model;
   ServoPredictor servos;
   Configuration now{model};
@@ -34,7 +34,7 @@ struct Fixture {
   RobotState state;
   JointCommand command;
 
-  explicit Fixture(double lag = kLag, const Model& robot = test::hrp1s()) : model(robot), servos(model, kDelayTicks, lag) {
+  explicit ServoRig(double lag = kLag, const Model& robot = test::hrp1s()) : model(robot), servos(model, kDelayTicks, lag) {
     command.flags = kCommandNoFade;
     command.joint_count = state.joint_count = static_cast<std::int16_t>(model.bus_count());
     for (std::size_t k = 0; k < count(); ++k) {
@@ -93,7 +93,7 @@ struct Fixture {
 };
 
 TEST(ServoPredictor, AStiffServoNearItsSetPointIsLeftToItsSetPoint) {
-  Fixture f;
+  ServoRig f;
   for (std::size_t k = 0; k < f.count(); ++k) f.command.q[k] += 0.01;
   f.look();
   EXPECT_EQ(f.servos.soft(), 0);
@@ -119,7 +119,7 @@ TEST(ServoPredictor, TheServosOfOurRobotsAreStiff) {
 }
 
 TEST(ServoPredictor, OneSoftServoTakesAllButTheLegsWithIt) {
-  Fixture f;
+  ServoRig f;
   f.soften(bus("LARM_ELBOW"), 20.0F, 1.0F);
   f.look();
   EXPECT_TRUE(f.servos.is_soft(bus("LARM_ELBOW")));
@@ -131,7 +131,7 @@ TEST(ServoPredictor, OneSoftServoTakesAllButTheLegsWithIt) {
 TEST(ServoPredictor, GoesWhereTheEquationLeads) {
   for (const float kp : {5.0F, 40.0F, 150.0F, 400.0F}) {
     for (const double speed : {0.0, 1.5, -3.0}) {
-      Fixture f(0.0);
+      ServoRig f(0.0);
       const std::vector<std::size_t> arm{bus("LARM_SHOULDER_P"), bus("LARM_SHOULDER_Y"), bus("LARM_ELBOW")};
       for (std::size_t i = 0; i < arm.size(); ++i) {
         f.soften(arm[i], kp, 0.02F * kp);
@@ -157,7 +157,7 @@ TEST(ServoPredictor, GoesWhereTheEquationLeads) {
 }
 
 TEST(ServoPredictor, FeedForwardAloneMovesAJoint) {
-  Fixture f;
+  ServoRig f;
   const std::size_t elbow = bus("LARM_ELBOW");
   f.soften(elbow, 0.0F, 0.0F);
   f.command.tau[elbow] = 15.0F;
@@ -175,11 +175,11 @@ TEST(ServoPredictor, FeedForwardAloneMovesAJoint) {
 TEST(ServoPredictor, TorqueAgainstFrictionForetellsNoMotion) {
   Model rubs = test::hrp1s();
   for (Joint& joint : rubs.joints) joint.friction = 2.0;
-  Fixture f, g(kLag, rubs);
+  ServoRig f, g(kLag, rubs);
   const std::size_t k = bus("LARM_ELBOW");
   const auto torque = static_cast<float>(friction_torque(g.joint(k), 0.8));
   EXPECT_NEAR(torque, 0.9 * 2.0, 1e-6);
-  for (Fixture* one : {&f, &g}) {
+  for (ServoRig* one : {&f, &g}) {
     one->soften(k, 20.0F, 1.0F);
     one->command.qd[k] = 0.8F;
   }
@@ -207,7 +207,7 @@ TEST(JointFriction, IsOvercomeWithoutAJump) {
 }
 
 TEST(ServoPredictor, AFarSetPointOfASoftJointIsNotTheWayOfTheJoint) {
-  Fixture f;
+  ServoRig f;
   const std::size_t elbow = bus("LARM_ELBOW");
   f.soften(elbow, 10.0F, 1.0F);
   f.command.q[elbow] += 0.86;
@@ -217,7 +217,7 @@ TEST(ServoPredictor, AFarSetPointOfASoftJointIsNotTheWayOfTheJoint) {
 
 // Nor does a stiff servo of its own robot follow at once: its effort and the inertia bound what it does, for joints beside it too.
 TEST(ServoPredictor, AFarSetPointOfAStiffServoIsNotTheWayOfTheJoint) {
-  Fixture f;
+  ServoRig f;
   const std::size_t elbow = bus("LARM_ELBOW");
   const double start = f.state.q[elbow];
   f.command.q[elbow] = start - 0.5;
@@ -240,7 +240,7 @@ TEST(ServoPredictor, AFarSetPointOfAStiffServoIsNotTheWayOfTheJoint) {
 
 // The set-point moves as the gate lets it: a command that turns round does not turn the torque at once.
 TEST(ServoPredictor, ASetPointTakesItsTime) {
-  Fixture f;
+  ServoRig f;
   const std::size_t elbow = bus("LARM_ELBOW");
   const double start = f.state.q[elbow];
   f.soften(elbow, 60.0F, 1.0F);
@@ -256,7 +256,7 @@ TEST(ServoPredictor, ASetPointTakesItsTime) {
 }
 
 TEST(ServoPredictor, AHeldJointRestsSoonerAndStaysSoftWhileItIsHeld) {
-  Fixture f;
+  ServoRig f;
   const std::size_t elbow = bus("LARM_ELBOW");
   const std::int64_t mask = std::int64_t{1} << elbow;
   f.soften(elbow, 60.0F, 1.0F);
@@ -282,7 +282,7 @@ TEST(ServoPredictor, AHeldJointRestsSoonerAndStaysSoftWhileItIsHeld) {
 // The shoulder stops at once; the forearm goes on.
 TEST(ServoPredictor, WhatRunsIntoItsStopThrowsWhatHangsOnIt) {
   const auto elbow_moves = [](double from_stop) {
-    Fixture f;
+    ServoRig f;
     const std::size_t shoulder = bus("LARM_SHOULDER_P"), elbow = bus("LARM_ELBOW");
     for (const std::size_t k : {shoulder, elbow}) f.soften(k, 5.0F, 0.5F);
     f.state.q[shoulder] = f.joint(shoulder).lower + from_stop;
@@ -298,7 +298,7 @@ TEST(ServoPredictor, WhatRunsIntoItsStopThrowsWhatHangsOnIt) {
 // Braked from all speeds with torques at their limits, no joint is thrown to and fro by the steps of the look.
 TEST(ServoPredictor, TorquesAtTheirLimitsComeToRest) {
   for (int turn = 0; turn < 40; ++turn) {
-    Fixture f;
+    ServoRig f;
     for (std::size_t k = 0; k < f.count(); ++k) {
       if (!(f.joint(k).name.substr(0, 4) == "LARM")) continue;
       f.soften(k, 30.0F, 2.0F);
@@ -327,7 +327,7 @@ TEST(ServoPredictor, ABrakeBeginsWithoutAJumpBetweenItsSetPointAndTheJoint) {
 // A brake of the gate that began a tick sooner, from another speed, is seen by its torque.
 // Held, softly, at 2 rad/s with that torque, then at 4 rad/s with none; whether it is taken to be braked from there.
 bool is_taken_from_there(float tau) {
-  Fixture f;
+  ServoRig f;
   const std::size_t elbow = bus("LARM_ELBOW");
   const std::int64_t mask = std::int64_t{1} << elbow;
   f.soften(elbow, 60.0F, 1.0F);
@@ -346,10 +346,10 @@ TEST(ServoPredictor, WhereAHeldJointIsHeldIsSeenByItsTorque) { EXPECT_TRUE(is_ta
 TEST(ServoPredictor, AHeldJointWhoseTorqueIsNotMeasuredStaysWhereItWasTaken) { EXPECT_FALSE(is_taken_from_there(0.0F)); }
 
 TEST(ServoPredictor, MasksLookedAtTogetherAreWhatEachIsAlone) {
-  Fixture f, alone;
+  ServoRig f, alone;
   const std::size_t elbow = bus("LARM_ELBOW"), shoulder = bus("RARM_SHOULDER_P");
   const std::int64_t one = std::int64_t{1} << elbow, other = std::int64_t{1} << shoulder;
-  for (Fixture* each : {&f, &alone}) {
+  for (ServoRig* each : {&f, &alone}) {
     each->soften(elbow, 60.0F, 1.0F);
     each->soften(shoulder, 20.0F, 0.2F);
     each->command.q[elbow] -= 0.7;
@@ -387,7 +387,7 @@ TEST(ServoPredictor, MasksLookedAtTogetherAreWhatEachIsAlone) {
 }
 
 TEST(ServoPredictor, LegsGoOnAsTheyAreMeasured) {
-  Fixture f;
+  ServoRig f;
   const std::size_t knee = bus("LLEG_KNEE");
   f.soften(knee, 50.0F, 1.0F);
   f.command.q[knee] += 0.6;

@@ -11,9 +11,9 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
+constexpr double kLimitsDt = 0.002;
 
-struct Fixture {
+struct LimitsRig {
   RobotState state;
   const Model& model = test::hrp1s();
   SetPointLimits limits{model};
@@ -24,26 +24,26 @@ struct Fixture {
 };
 
 TEST(SetPointLimits, WhatIsWithinTheLimitsIsLeftAlone) {
-  Fixture f;
+  LimitsRig f;
   f.point.q[0] = 0.0005;
   f.point.tau[0] = 5.0;
   f.point.kp[0] = 100.0;
   const SetPoint asked = f.point;
-  f.limits.apply(f.state, &f.last, kDt, f.point);
+  f.limits.apply(f.state, &f.last, kLimitsDt, f.point);
   EXPECT_EQ(f.point.q[0], asked.q[0]);
   EXPECT_EQ(f.point.tau, asked.tau);
   EXPECT_EQ(f.point.kp, asked.kp);
 }
 
 TEST(SetPointLimits, EverythingTooLargeIsCut) {
-  Fixture f;
+  LimitsRig f;
   for (std::size_t k = 0; k < 29; ++k) {
     f.point.q[k] = 1e9;
     f.point.qd[k] = -1e9;
     f.point.tau[k] = 1e9;
     f.point.kp[k] = -5.0;
   }
-  f.limits.apply(f.state, nullptr, kDt, f.point);
+  f.limits.apply(f.state, nullptr, kLimitsDt, f.point);
   for (std::size_t k = 0; k < 29; ++k) {
     EXPECT_DOUBLE_EQ(f.point.q[k], f.joint(k).upper);
     EXPECT_DOUBLE_EQ(f.point.qd[k], -f.joint(k).velocity);
@@ -53,18 +53,18 @@ TEST(SetPointLimits, EverythingTooLargeIsCut) {
 }
 
 TEST(SetPointLimits, NoSetPointMovesFasterThanItsJoint) {
-  Fixture f;
+  LimitsRig f;
   f.point.q[0] = 0.2;
-  f.limits.apply(f.state, &f.last, kDt, f.point);
+  f.limits.apply(f.state, &f.last, kLimitsDt, f.point);
   EXPECT_GT(f.point.q[0], 0.0);
-  EXPECT_LE(f.point.q[0], f.joint(0).velocity * kDt + 1e-15);
+  EXPECT_LE(f.point.q[0], f.joint(0).velocity * kLimitsDt + 1e-15);
 }
 
 TEST(SetPointLimits, NoTorqueChangesFasterThanTheGateAllows) {
-  Fixture f;
+  LimitsRig f;
   f.last.tau[3] = 10.0;
   f.point.tau[3] = -f.joint(3).effort;
-  f.limits.apply(f.state, &f.last, kDt, f.point);
+  f.limits.apply(f.state, &f.last, kLimitsDt, f.point);
   EXPECT_DOUBLE_EQ(f.point.tau[3], 10.0 - kTorqueStep * f.joint(3).effort);
 }
 
@@ -72,14 +72,14 @@ TEST(SetPointLimits, ANumberThatIsNoneLeavesTheJointWhereItWas) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     for (int field = 0; field < 5; ++field) {
-      Fixture f;
+      LimitsRig f;
       f.last.q[3] = 0.1;
       f.point = f.last;
       PerJoint<double>* fields[] = {&f.point.q, &f.point.qd, &f.point.tau, &f.point.kp,
                                     &f.point.kd};
       (*fields[field])[3] = bad;
-      f.limits.apply(f.state, &f.last, kDt, f.point);
-      EXPECT_NEAR(f.point.q[3], 0.1, f.joint(3).velocity * kDt);
+      f.limits.apply(f.state, &f.last, kLimitsDt, f.point);
+      EXPECT_NEAR(f.point.q[3], 0.1, f.joint(3).velocity * kLimitsDt);
       EXPECT_EQ(f.point.qd[3], 0.0);
       EXPECT_EQ(f.point.tau[3], 0.0);
       EXPECT_EQ(f.point.kp[3], f.joint(3).kp);

@@ -11,16 +11,16 @@
 namespace twinbus {
 namespace {
 
-constexpr std::size_t kJoint = 6;
-constexpr double kDelay = 0.004;  // of one tick until the brake of the next look
+constexpr std::size_t kTracked = 6;
+constexpr double kTrackDelay = 0.004;  // of one tick until the brake of the next look
 
-struct Fixture {
+struct TrackRig {
   const Model& model = test::hrp1s();
   SetPointTrack track{model, 1, 0.0};
   RobotState state;
   JointCommand command;
   double brake() const {
-    return brake_deceleration(model.joints[static_cast<std::size_t>(model.bus_joints[kJoint])]);
+    return brake_deceleration(model.joints[static_cast<std::size_t>(model.bus_joints[kTracked])]);
   }
   void follow(std::int64_t mask) {
     ++command.tick;
@@ -29,18 +29,18 @@ struct Fixture {
   void follow_again() { track.follow(state, command, 0); }
   // One tick: the command is obeyed at once, the joint follows.
   void tick(double q, bool held = false) {
-    command.q[kJoint] = q;
-    follow(held ? std::int64_t{1} << kJoint : 0);
-    measured = state.q[kJoint];
-    state.q[kJoint] = q;
+    command.q[kTracked] = q;
+    follow(held ? std::int64_t{1} << kTracked : 0);
+    measured = state.q[kTracked];
+    state.q[kTracked] = q;
   }
-  double obeyed() const { return measured + track.if_obeyed(kJoint).rest(); }
-  double held() const { return measured + track.if_held(kJoint).rest(); }
+  double obeyed() const { return measured + track.if_obeyed(kTracked).rest(); }
+  double held() const { return measured + track.if_held(kTracked).rest(); }
   double measured = 0.0;
 };
 
 TEST(SetPointTrack, AJointAtRestComesToRestWhereItIs) {
-  Fixture f;
+  TrackRig f;
   for (int i = 0; i < 3; ++i) f.tick(0.02);
   EXPECT_NEAR(f.obeyed(), 0.02, 1e-9);
   EXPECT_NEAR(f.held(), 0.02, 1e-9);
@@ -49,62 +49,62 @@ TEST(SetPointTrack, AJointAtRestComesToRestWhereItIs) {
 // Ticks that a busy guard left out, or that the controller did not answer: the set-point is as fast as it was on the whole.
 TEST(SetPointTrack, TicksThatWereLeftOutMakeNoJointFaster) {
   for (const int left_out : {1, 3}) {
-    Fixture f;
+    TrackRig f;
     const double speed = 0.5, step = speed * f.model.period();
     double q = 0.0;
     for (int i = 0; i < 50; ++i) f.tick(q += step);
     for (int i = 0; i < left_out; ++i) f.follow_again();  // the same command, heard again
-    EXPECT_NEAR(f.track.if_obeyed(kJoint).speed, speed, 1e-6) << "it says nothing new";
+    EXPECT_NEAR(f.track.if_obeyed(kTracked).speed, speed, 1e-6) << "it says nothing new";
     f.command.tick += left_out;
     f.tick(q += (left_out + 1) * step);
-    EXPECT_LT(f.track.if_obeyed(kJoint).speed, 1.05 * speed) << left_out;
-    EXPECT_GT(f.track.if_obeyed(kJoint).speed, 0.95 * speed) << left_out;
+    EXPECT_LT(f.track.if_obeyed(kTracked).speed, 1.05 * speed) << left_out;
+    EXPECT_GT(f.track.if_obeyed(kTracked).speed, 0.95 * speed) << left_out;
   }
 }
 
 // A guard that stood still finds a joint far from where it was, and the set-point with it: nothing runs after anything.
 TEST(SetPointTrack, ALookAfterALongPauseSeesTheSpeedThatThereIs) {
-  Fixture f;
+  TrackRig f;
   const double speed = 0.5, step = speed * f.model.period();
   double q = 0.0;
   for (int i = 0; i < 50; ++i) f.tick(q += step);
   f.command.tick += 100;
   f.state.tick += 101;
   q += 101 * step;
-  f.state.q[kJoint] = q - step;
+  f.state.q[kTracked] = q - step;
   f.tick(q);
-  EXPECT_LT(f.track.if_obeyed(kJoint).speed, 1.05 * speed);
-  EXPECT_GT(f.track.if_obeyed(kJoint).speed, 0.95 * speed);
+  EXPECT_LT(f.track.if_obeyed(kTracked).speed, 1.05 * speed);
+  EXPECT_GT(f.track.if_obeyed(kTracked).speed, 0.95 * speed);
 }
 
 // look_ahead(v) = v delay + v |v| / (2 deceleration)
 TEST(SetPointTrack, AMovingJointComesToRestAfterDelayAndBrake) {
   for (const double speed : {0.5, -0.5}) {
-    Fixture f;
+    TrackRig f;
     double q = 0.0;
     for (int i = 0; i < 50; ++i) f.tick(q += speed * f.model.period());
-    const double ahead = speed * kDelay + 0.5 * speed * std::abs(speed) / f.brake();
+    const double ahead = speed * kTrackDelay + 0.5 * speed * std::abs(speed) / f.brake();
     EXPECT_NEAR(f.obeyed(), q + ahead, 1e-9);
-    EXPECT_NEAR(f.track.if_braked(kJoint, speed).rest(), ahead, 1e-12);
+    EXPECT_NEAR(f.track.if_braked(kTracked, speed).rest(), ahead, 1e-12);
   }
 }
 
 TEST(SetPointTrack, AHeldSetPointStopsAndStays) {
-  Fixture f;
+  TrackRig f;
   double q = 0.0;
   for (int i = 0; i < 50; ++i) f.tick(q += 0.001);
   const double rest = f.held();
-  f.measured = f.state.q[kJoint];
+  f.measured = f.state.q[kTracked];
   for (int i = 0; i < 200; ++i) {
-    f.command.q[kJoint] = q += 0.001;
-    f.follow(std::int64_t{1} << kJoint);
+    f.command.q[kTracked] = q += 0.001;
+    f.follow(std::int64_t{1} << kTracked);
   }
   EXPECT_LT(f.held(), rest);
   EXPECT_GT(f.obeyed(), f.held()) << "let go it would run after its command";
 }
 
 TEST(SetPointTrack, AMaskHoldsUntilWhatWasSentBeforeItHasArrived) {
-  Fixture f;
+  TrackRig f;
   SetPointTrack late(f.model, 3, 0.0);
   const std::int64_t one = 2, other = 8;
   EXPECT_EQ(late.on_hold(), 0);
@@ -120,10 +120,10 @@ TEST(SetPointTrack, AMaskHoldsUntilWhatWasSentBeforeItHasArrived) {
 }
 
 TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
-  Fixture f;
+  TrackRig f;
   f.tick(0.0);
   f.tick(0.0);
-  f.command.q[kJoint] = 0.01;
+  f.command.q[kTracked] = 0.01;
   for (int i = 0; i < 20; ++i) {
     f.follow(0);
     if (i > 0) {
@@ -134,26 +134,26 @@ TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
 }
 
 TEST(SetPointTrack, AFirstCommandFarFromItsJointIsNotTakenForItsSetPoint) {
-  Fixture f;
-  f.command.q[kJoint] = -1.5;
-  f.follow(std::int64_t{1} << kJoint);
+  TrackRig f;
+  f.command.q[kTracked] = -1.5;
+  f.follow(std::int64_t{1} << kTracked);
   EXPECT_GT(f.held(), -0.11);
 }
 
 // Let go, a set-point fades back to its command over blend_s: it is known where it is on the way.
 TEST(SetPointTrack, WhatIsLetGoFadesBackAsTheGateLetsIt) {
-  Fixture f;
+  TrackRig f;
   const double far = 0.2, period = f.model.period();
   f.tick(0.0);
   for (int i = 0; i < 200; ++i) {
-    f.command.q[kJoint] = std::min(far, f.command.q[kJoint] + 0.002);
-    f.follow(std::int64_t{1} << kJoint);
+    f.command.q[kTracked] = std::min(far, f.command.q[kTracked] + 0.002);
+    f.follow(std::int64_t{1} << kTracked);
   }
   const int ticks = static_cast<int>(std::lround(f.model.blend_s / period));
-  double last = f.track.if_held(kJoint).rest();
+  double last = f.track.if_held(kTracked).rest();
   for (int i = 0; i <= ticks; ++i) {
     f.follow(0);
-    const Course now = f.track.if_obeyed(kJoint);
+    const Course now = f.track.if_obeyed(kTracked);
     EXPECT_GE(now.rest(), last - 1e-3) << i;
     EXPECT_LE(now.rest(), far + 1e-2) << i;
     last = now.rest();

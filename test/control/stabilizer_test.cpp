@@ -12,20 +12,20 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
-constexpr double kHeight = 0.75;
+constexpr double kStabilizerDt = 0.002;
+constexpr double kComHeight = 0.75;
 const Eigen::Vector2d kNone = Eigen::Vector2d::Zero();
 
 // Equations, not tuned numbers: a pendulum that does what the stabilizer asks.
 struct Pendulum {
-  Lipm lipm{kHeight};
+  Lipm lipm{kComHeight};
   LipmState x, y;
   Eigen::Vector2d com() const { return {x.position, y.position}; }
   Eigen::Vector2d velocity() const { return {x.velocity, y.velocity}; }
   Eigen::Vector2d dcm() const { return com() + velocity() / lipm.omega(); }
   void advance(const Eigen::Vector2d& zmp) {
-    x = lipm.advance(x, zmp.x(), kDt);
-    y = lipm.advance(y, zmp.y(), kDt);
+    x = lipm.advance(x, zmp.x(), kStabilizerDt);
+    y = lipm.advance(y, zmp.y(), kStabilizerDt);
   }
 };
 
@@ -40,8 +40,8 @@ std::array<SoleOnGround, 2> stance() {
 }
 
 double run(Pendulum& pendulum, Stabilizer& stabilizer, const ComPlan& plan, double seconds) {
-  for (int i = 0; i < static_cast<int>(seconds / kDt); ++i) {
-    stabilizer.update(plan, pendulum.dcm(), kNone, stance(), pendulum.lipm.omega(), kDt);
+  for (int i = 0; i < static_cast<int>(seconds / kStabilizerDt); ++i) {
+    stabilizer.update(plan, pendulum.dcm(), kNone, stance(), pendulum.lipm.omega(), kStabilizerDt);
     pendulum.advance(stabilizer.share().zmp);
   }
   return (pendulum.com() - plan.position).norm();
@@ -50,7 +50,7 @@ double run(Pendulum& pendulum, Stabilizer& stabilizer, const ComPlan& plan, doub
 TEST(Stabilizer, RestOnThePlanAsksForTheZmpOfThePlan) {
   Stabilizer stabilizer({});
   stabilizer.start();
-  stabilizer.update({}, kNone, kNone, stance(), 3.6, kDt);
+  stabilizer.update({}, kNone, kNone, stance(), 3.6, kStabilizerDt);
   EXPECT_NEAR(stabilizer.zmp_wanted().norm(), 0.0, 1e-12);
   EXPECT_NEAR(stabilizer.lean_wanted().norm(), 0.0, 1e-12);
 }
@@ -71,7 +71,7 @@ TEST(Stabilizer, APushThatTheSolesCanAnswerDies) {
 TEST(Stabilizer, WhatTheSolesCannotGiveIsWantedOfTheTrunk) {
   Stabilizer stabilizer({});
   stabilizer.start();
-  stabilizer.update({}, {0.3, 0.0}, kNone, stance(), 3.6, kDt);
+  stabilizer.update({}, {0.3, 0.0}, kNone, stance(), 3.6, kStabilizerDt);
   EXPECT_LE(stabilizer.share().zmp.x(), 0.12 - StabilizerGains{}.margin + 1e-12);
   EXPECT_GT(stabilizer.lean_wanted().x(), 0.0);
   EXPECT_NEAR((stabilizer.zmp_wanted() - stabilizer.share().zmp - stabilizer.lean_wanted()).norm(),
@@ -85,8 +85,8 @@ TEST(Stabilizer, TheZmpMakesRoomForTheLeanThereIs) {
   Stabilizer upright(gains), leaning(gains);
   upright.start();
   leaning.start();
-  upright.update({}, {0.02, 0.01}, kNone, stance(), 3.6, kDt);
-  leaning.update({}, {0.02, 0.01}, {0.01, 0.0}, stance(), 3.6, kDt);
+  upright.update({}, {0.02, 0.01}, kNone, stance(), 3.6, kStabilizerDt);
+  leaning.update({}, {0.02, 0.01}, {0.01, 0.0}, stance(), 3.6, kStabilizerDt);
   EXPECT_NEAR((upright.share().zmp - leaning.share().zmp - Eigen::Vector2d(0.01, 0.0)).norm(), 0.0,
               1e-9);
 }
@@ -94,12 +94,12 @@ TEST(Stabilizer, TheZmpMakesRoomForTheLeanThereIs) {
 TEST(Stabilizer, AtAChangeOfSourceAStepOfTheMeasurementIsLetInSlowly) {
   Stabilizer stabilizer({});
   stabilizer.start();
-  stabilizer.update({}, kNone, kNone, stance(), 3.6, kDt);
+  stabilizer.update({}, kNone, kNone, stance(), 3.6, kStabilizerDt);
   const Eigen::Vector2d before = stabilizer.zmp_wanted(), step(0.01, -0.01);
   Stabilizer unwarned = stabilizer;
   stabilizer.rebase();
-  stabilizer.update({}, step, kNone, stance(), 3.6, kDt);
-  unwarned.update({}, step, kNone, stance(), 3.6, kDt);
+  stabilizer.update({}, step, kNone, stance(), 3.6, kStabilizerDt);
+  unwarned.update({}, step, kNone, stance(), 3.6, kStabilizerDt);
   EXPECT_LT((stabilizer.zmp_wanted() - before).norm(),
             0.05 * (unwarned.zmp_wanted() - before).norm());
 }
@@ -112,7 +112,7 @@ TEST(Stabilizer, BeginsAlikeInWhateverMemory) {
   Stabilizer fresh{{}};
   for (Stabilizer* one : {used, &fresh}) {
     one->start();
-    one->update({}, {0.02, 0.01}, kNone, stance(), 3.6, kDt);
+    one->update({}, {0.02, 0.01}, kNone, stance(), 3.6, kStabilizerDt);
   }
   EXPECT_EQ(used->share().zmp, fresh.share().zmp);
   EXPECT_EQ(used->share().cop[0], fresh.share().cop[0]);

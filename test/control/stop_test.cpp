@@ -11,12 +11,13 @@
 #include "control/loop/control_loop.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
+#include "test/rounds.h"
 
 namespace twinbus {
 namespace {
 
-struct Rig : SimRig {
-  Rig() : SimRig(test::hrp1s(), flat_scene(), {}, {}) {}
+struct StopRig : SimRig {
+  StopRig() : SimRig(test::hrp1s(), flat_scene(), {}, {}) {}
   // What STATE shows of the gate from now on.
   void stopped(StopKind kind) {
     state().stop_kind = kind;
@@ -24,7 +25,7 @@ struct Rig : SimRig {
   }
 };
 
-ModeRequest pose_request(Rig& rig) {
+ModeRequest pose_request(StopRig& rig) {
   ModeRequest pose;
   pose.run_id = rig.state().run_id;
   pose.sender_id = 77;
@@ -33,7 +34,7 @@ ModeRequest pose_request(Rig& rig) {
 }
 
 TEST(Stop, ABalancedStopEndsTheMotionStandingAndThenDropsItsFlag) {
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.2));
   rig.ask(Mode::kBalance, Motion::kSway, 0.02, 0.5);
   ASSERT_TRUE(rig.run(1.0));
@@ -56,7 +57,7 @@ TEST(Stop, ABalancedStopEndsTheMotionStandingAndThenDropsItsFlag) {
 
 TEST(Stop, WhileTheGateHoldsTheSetPointsFollowTheRobotAndNoModeIsTaken) {
   for (const StopKind kind : {StopKind::kHold, StopKind::kOff}) {
-    Rig rig;
+    StopRig rig;
     ASSERT_TRUE(rig.run(0.2));
     rig.stopped(kind);
     rig.ask(Mode::kHold);
@@ -83,7 +84,7 @@ TEST(Stop, WhileTheGateHoldsTheSetPointsFollowTheRobotAndNoModeIsTaken) {
 }
 
 TEST(Stop, IdleAskedOfAStandingRobotDuringAStopIsRefused) {
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.1));
   rig.stopped(StopKind::kHold);
   ASSERT_TRUE(rig.tick());
@@ -97,7 +98,7 @@ TEST(Stop, IdleAskedOfAStandingRobotDuringAStopIsRefused) {
 }
 
 TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.1));
   rig.stopped(StopKind::kHold);
   ASSERT_TRUE(rig.tick());
@@ -123,7 +124,7 @@ TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
 }
 
 TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.5));
   rig.ask(Mode::kIdle);
   ASSERT_TRUE(rig.run(0.5));
@@ -178,7 +179,7 @@ TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {
 // A request is obeyed or answered, also when a stop comes while its way is looked along.
 TEST(Stop, APoseThatAStopPreventsIsToldOf) {
   const Model& model = test::hrp1s();
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.3));
   ModeRequest pose = pose_request(rig);
   pose.sequence = 1;
@@ -200,7 +201,7 @@ TEST(Stop, APoseThatAStopPreventsIsToldOf) {
 // Every named pose of the robot after every other, at once and slowly: the legs take the body along.
 TEST(Stop, NamedPosesOneAfterTheOtherAreStoodOrRefused) {
   const Model& model = test::hrp1s();
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.5));
   ModeRequest pose = pose_request(rig);
   pose.joint_mask = (std::int64_t{1} << model.bus_count()) - 1;
@@ -228,7 +229,7 @@ TEST(Stop, NamedPosesOneAfterTheOtherAreStoodOrRefused) {
 // Of arms and waist, from balance and from hold, slow and at once: taken and stood, or refused with what would be.
 TEST(Stop, PosesOfArmsAndWaistAreStoodOrRefusedForWhatWouldTouchOrFall) {
   const Model& model = test::hrp1s();
-  Rig rig;
+  StopRig rig;
   ASSERT_TRUE(rig.run(0.5));
   std::mt19937 random(34);
   const auto uniform = [&](double low, double high) {
@@ -236,7 +237,7 @@ TEST(Stop, PosesOfArmsAndWaistAreStoodOrRefusedForWhatWouldTouchOrFall) {
   };
   ModeRequest pose = pose_request(rig);
   int taken = 0, touching = 0, falling = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < test::rounds(60); ++i) {
     rig.ask(i % 4 == 3 ? Mode::kHold : Mode::kBalance);
     ASSERT_TRUE(rig.run(0.7));
     (void)rig.loop().take_sentence();
@@ -271,8 +272,8 @@ TEST(Stop, PosesOfArmsAndWaistAreStoodOrRefusedForWhatWouldTouchOrFall) {
     EXPECT_TRUE(sentence.find("would touch") != std::string::npos || sentence.find("would fall") != std::string::npos) << sentence;
   }
   std::printf("%d taken, %d would touch, %d would fall\n", taken, touching, falling);
-  EXPECT_GT(taken, 5);
-  EXPECT_GT(touching, 5);
+  EXPECT_GT(taken, test::rounds(5));
+  EXPECT_GT(touching, test::rounds(5));
 }
 
 }  // namespace

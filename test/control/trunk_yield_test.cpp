@@ -8,18 +8,18 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
-constexpr double kHeight = 0.7;
+constexpr double kYieldDt = 0.002;
+constexpr double kTrunkHeight = 0.7;
 const Eigen::Vector2d kBase(0.05, 0.04), kWaist(0.03, 0.03), kMost(0.3, 0.3);  // [m^2], [rad]
 
 // A trunk that turns as it is asked to.
 struct Trunk {
   Trunk() { yield.start(kBase, kWaist, kMost); }
   void run(const Eigen::Vector2d& wanted, double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds / kDt); ++i) {
-      yield.update(wanted, angle, rate, kHeight, kDt);
-      rate += kDt * yield.acceleration();
-      angle += kDt * rate;
+    for (int i = 0; i < static_cast<int>(seconds / kYieldDt); ++i) {
+      yield.update(wanted, angle, rate, kTrunkHeight, kYieldDt);
+      rate += kYieldDt * yield.acceleration();
+      angle += kYieldDt * rate;
     }
   }
   TrunkYield yield{TrunkYieldGains{}};
@@ -37,7 +37,7 @@ TEST(TrunkYield, GivesTheLeanThatIsWanted) {
   Trunk trunk;
   const Eigen::Vector2d wanted(0.012, -0.008);
   trunk.run(wanted, 3.0);
-  EXPECT_NEAR((trunk.yield.lean(trunk.angle, kHeight) - wanted).norm(), 0.0, 1e-4);
+  EXPECT_NEAR((trunk.yield.lean(trunk.angle, kTrunkHeight) - wanted).norm(), 0.0, 1e-4);
 }
 
 TEST(TrunkYield, BendsForwardForALeanForwardAndToItsSides) {
@@ -62,7 +62,7 @@ TEST(TrunkYield, NeverGoesFarBeyondItsLimitHoweverMuchIsWanted) {
   const TrunkYieldGains gains;
   Trunk trunk;
   for (int i = 0; i < 3000; ++i) {
-    trunk.run({5.0, -5.0}, kDt);
+    trunk.run({5.0, -5.0}, kYieldDt);
     ASSERT_LE(trunk.yield.acceleration().cwiseAbs().maxCoeff(), gains.most + 1e-9);
     ASSERT_LT(trunk.angle.cwiseAbs().maxCoeff(), 1.1 * gains.limit);
     ASSERT_LT(trunk.yield.waist().cwiseAbs().maxCoeff(), 0.31);

@@ -7,7 +7,7 @@
 namespace twinbus {
 namespace {
 
-std::array<SoleOnGround, 2> stance(double yaw = 0.0) {
+std::array<SoleOnGround, 2> turned_stance(double yaw = 0.0) {
   std::array<SoleOnGround, 2> soles;
   for (std::size_t s = 0; s < 2; ++s) {
     soles[s].position = {0.0, s == 0 ? 0.1 : -0.1};
@@ -21,7 +21,7 @@ std::array<SoleOnGround, 2> stance(double yaw = 0.0) {
 
 // The moment of both loads about the ground origin is that of the whole weight at the ZMP.
 TEST(WrenchShare, TwoFeetTogetherGiveTheZmpAsked) {
-  const auto soles = stance(0.3);
+  const auto soles = turned_stance(0.3);
   for (double x : {-0.04, 0.0, 0.06}) {
     for (double y : {-0.07, 0.0, 0.05}) {
       const ZmpShare share = share_zmp(soles, {x, y}, 0.01, 0.05);
@@ -37,13 +37,13 @@ TEST(WrenchShare, TwoFeetTogetherGiveTheZmpAsked) {
 }
 
 TEST(WrenchShare, StandingInTheMiddleLoadsBothFeetAlike) {
-  const auto soles = stance();
+  const auto soles = turned_stance();
   const ZmpShare share = share_zmp(soles, 0.5 * (soles[0].centre() + soles[1].centre()), 0.0, 0.0);
   EXPECT_DOUBLE_EQ(share.left, 0.5);
 }
 
 TEST(WrenchShare, OverOneFootThatFootCarriesAllButTheLeast) {
-  const auto soles = stance();
+  const auto soles = turned_stance();
   EXPECT_DOUBLE_EQ(share_zmp(soles, soles[0].centre(), 0.0, 0.06).left, 0.94);
   EXPECT_DOUBLE_EQ(share_zmp(soles, soles[1].centre(), 0.0, 0.06).left, 0.06);
 }
@@ -51,7 +51,7 @@ TEST(WrenchShare, OverOneFootThatFootCarriesAllButTheLeast) {
 TEST(WrenchShare, NoCentreOfPressureComesNearerToAnEdgeThanTheMargin) {
   const double margin = 0.015;
   for (double yaw : {0.0, 0.4}) {
-    const auto soles = stance(yaw);
+    const auto soles = turned_stance(yaw);
     for (int k = 0; k < 64; ++k) {
       const double angle = 0.0981747704 * k;
       const ZmpShare share =
@@ -68,7 +68,7 @@ TEST(WrenchShare, NoCentreOfPressureComesNearerToAnEdgeThanTheMargin) {
 }
 
 TEST(WrenchShare, MirroredFeetGiveTheMirroredShare) {
-  const auto soles = stance(0.2);
+  const auto soles = turned_stance(0.2);
   const ZmpShare a = share_zmp(soles, {0.03, 0.04}, 0.01, 0.05);
   const ZmpShare b = share_zmp(soles, {0.03, -0.04}, 0.01, 0.05);
   EXPECT_NEAR(a.left, 1.0 - b.left, 1e-12);

@@ -14,7 +14,7 @@
 namespace twinbus {
 namespace {
 
-constexpr double kPeriod = 2e-3;  // [s]
+constexpr double kUpPeriod = 2e-3;  // [s]
 
 // Order 1 takes 100 ms a second and is off by 3 mm, order 2 takes 400 and is off by 0.5, order 3 takes 900 and is off by 0.05.
 AccuracyChoice chosen(int rung) {
@@ -22,7 +22,7 @@ AccuracyChoice chosen(int rung) {
   const auto add = [&](int order, double cost, double apart) {
     Rung r;
     r.order = order;
-    r.step = kPeriod;
+    r.step = kUpPeriod;
     r.cost = cost;
     r.apart = apart;
     choice.ladder.rungs.push_back(r);
@@ -38,7 +38,7 @@ AccuracyChoice chosen(int rung) {
 // What real time leaves of a choice.
 AccuracyChoice kept(int rung, const AccuracyRequest& asked, double rate = 1.0, bool lockstep = false) {
   AccuracyChoice choice = chosen(rung);
-  keep_to_real_time(choice, asked, kPeriod, time_for_physics(kPeriod, rate, lockstep));
+  keep_to_real_time(choice, asked, kUpPeriod, time_for_physics(kUpPeriod, rate, lockstep));
   return choice;
 }
 

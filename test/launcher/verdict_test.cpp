@@ -8,13 +8,13 @@
 namespace twinbus {
 namespace {
 
-constexpr std::int64_t kPeriod = 2'000'000;
+constexpr std::int64_t kVerdictPeriod = 2'000'000;
 constexpr int kTicks = 10000;
 
 struct FakeRun {
   StackMonitor seen;
   RunRequest request;
-  std::int64_t end = kTicks * kPeriod;
+  std::int64_t end = kTicks * kVerdictPeriod;
 
   // every: one COMMAND in so many ticks; missed: as the source counts; stalled: of these, by the machine.
   FakeRun(int every, std::int64_t missed, std::int8_t realtime, std::int64_t stalled = 0) {
@@ -23,8 +23,8 @@ struct FakeRun {
     JointCommand command;
     for (int tick = 0; tick < kTicks; ++tick) {
       state.tick = command.tick = tick;
-      seen.on_state(state, tick * kPeriod);
-      if (tick % every == 0) seen.on_command(command, tick * kPeriod);
+      seen.on_state(state, tick * kVerdictPeriod);
+      if (tick % every == 0) seen.on_command(command, tick * kVerdictPeriod);
     }
     SourceStatus status;
     status.run_id = 7;
@@ -68,16 +68,16 @@ TEST(Verdict, AUsersProgramIsTheControllerWhereThereIsNoOther) {
     heartbeat.kind = kind;
     heartbeat.process_id = id;
     heartbeat.realtime = realtime;
-    seen.on_heartbeat(heartbeat, kPeriod);
+    seen.on_heartbeat(heartbeat, kVerdictPeriod);
   };
   for (const ProcessKind source : {ProcessKind::kSimulator, ProcessKind::kBridge, ProcessKind::kReplay}) {
     StackMonitor seen;
     beat(seen, source, 7, 2);
-    EXPECT_EQ(real_time_of(seen, kPeriod), 0);
+    EXPECT_EQ(real_time_of(seen, kVerdictPeriod), 0);
     beat(seen, ProcessKind::kUser, 9, 1);
-    EXPECT_EQ(real_time_of(seen, kPeriod), 1);
+    EXPECT_EQ(real_time_of(seen, kVerdictPeriod), 1);
     beat(seen, ProcessKind::kController, 8, 2);
-    EXPECT_EQ(real_time_of(seen, kPeriod), 2);
+    EXPECT_EQ(real_time_of(seen, kVerdictPeriod), 2);
   }
 }
 

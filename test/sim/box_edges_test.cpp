@@ -18,6 +18,7 @@
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/energy_balance.h"
 #include "sim/scene/scene.h"
+#include "test/rounds.h"
 #include "sim/scene/scene_seed.h"
 #include "common/allocation/no_alloc.h"
 #include "test_models.h"
@@ -135,7 +136,7 @@ TEST(BoxEdgesOfOurs, MeetingAllocatesNothing) {
 // Of the scene only what is loose, begun elsewhere by up to 5 mm, 20 times.
 TEST(BoxEdgesOfOurs, NothingIsFlungWhereBoxesTumble) {
   const Model model = test::bystander();
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::rounds(std::uint64_t{20}); ++seed) {
     Scene scene = load_scene("boxes_tumble");
     apply_seed(scene, Model{}, seed);
     for (const int order : {1, 2}) {

@@ -9,7 +9,7 @@
 namespace twinbus {
 namespace {
 
-constexpr std::int64_t kNow = 5'000'000'000, kRun = 77;
+constexpr std::int64_t kSceneNow = 5'000'000'000, kRun = 77;
 
 const Model& robot() {
   static const Model loaded = load_robot("hrp1s");
@@ -22,7 +22,7 @@ StackView running() {
   state.run_id = kRun;
   state.joint_count = static_cast<std::int16_t>(robot().bus_count());
   state.attitude = {1, 0, 0, 0};
-  view.on_state(state, kNow);
+  view.on_state(state, kSceneNow);
   return view;
 }
 
@@ -43,11 +43,11 @@ Json scene(const StackView& view) { return Json::parse(scene_frame(view)); }
 TEST(SceneFrame, WhatIsOfAnotherRunIsNotDrawn) {
   StackView view = running();
   view.on_terrain(ball(kRun + 1, 1));
-  view.on_loose(ball(kRun + 1, 1), kNow);
-  view.on_footsteps(ball(kRun + 1, 1), kNow);
+  view.on_loose(ball(kRun + 1, 1), kSceneNow);
+  view.on_footsteps(ball(kRun + 1, 1), kSceneNow);
   EXPECT_TRUE(scene(view)["terrain"].empty());
   EXPECT_TRUE(scene(view)["loose"].empty());
-  EXPECT_FALSE(view.footsteps_apply(kNow));
+  EXPECT_FALSE(view.footsteps_apply(kSceneNow));
 }
 
 // The ground is drawn anyway; what a hand holds is drawn with the link that carries it.
@@ -78,12 +78,12 @@ TEST(SceneFrame, TheFloorIsNoObstacleAndWhatIsHeldIsDrawn) {
 
 TEST(SceneFrame, ABodyThatMovesIsNoNewScene) {
   StackView view = running();
-  view.on_loose(ball(kRun, 1), kNow);
+  view.on_loose(ball(kRun, 1), kSceneNow);
   const std::int64_t version = view.scene_version();
-  view.on_loose(ball(kRun, 2), kNow);
+  view.on_loose(ball(kRun, 2), kSceneNow);
   EXPECT_EQ(view.scene_version(), version);
   Json live;
-  add_moving(view, kNow, Eigen::Isometry3d::Identity(), live);
+  add_moving(view, kSceneNow, Eigen::Isometry3d::Identity(), live);
   EXPECT_EQ(live["loose"][0][0], 2.0);
   view.on_terrain(ball(kRun, 1));
   EXPECT_GT(view.scene_version(), version);
@@ -92,12 +92,12 @@ TEST(SceneFrame, ABodyThatMovesIsNoNewScene) {
 
 TEST(SceneFrame, FootstepsThatNobodyRenewsAreGone) {
   StackView view = running();
-  view.on_footsteps(ball(kRun, 1), kNow);
+  view.on_footsteps(ball(kRun, 1), kSceneNow);
   Json live;
-  add_moving(view, kNow, Eigen::Isometry3d::Identity(), live);
+  add_moving(view, kSceneNow, Eigen::Isometry3d::Identity(), live);
   EXPECT_EQ(live["footsteps"].size(), 1U);
   Json later;
-  add_moving(view, kNow + 1'000'000'000, Eigen::Isometry3d::Identity(), later);
+  add_moving(view, kSceneNow + 1'000'000'000, Eigen::Isometry3d::Identity(), later);
   EXPECT_FALSE(later.contains("footsteps"));
 }
 
@@ -119,14 +119,14 @@ ModelTextPiece part(const std::string& picture, std::int16_t piece, std::int64_t
 TEST(CameraView, APictureIsWholeOrNotShown) {
   const std::string picture = "\xff\xd8\xff" + std::string(3000, 'x');
   CameraView camera;
-  camera.on_piece(part(picture, 2), kNow);
-  camera.on_piece(part(picture, 0), kNow);
-  camera.on_piece(part(picture, 0), kNow);  // said again
+  camera.on_piece(part(picture, 2), kSceneNow);
+  camera.on_piece(part(picture, 0), kSceneNow);
+  camera.on_piece(part(picture, 0), kSceneNow);  // said again
   EXPECT_EQ(camera.version(), 0);
-  camera.on_piece(part(picture, 1, 2), kNow);  // of the next picture
-  camera.on_piece(part(picture, 1), kNow);     // overtaken
+  camera.on_piece(part(picture, 1, 2), kSceneNow);  // of the next picture
+  camera.on_piece(part(picture, 1), kSceneNow);     // overtaken
   EXPECT_EQ(camera.version(), 0);
-  for (std::int16_t i = 0; i < 3; ++i) camera.on_piece(part(picture, i, 3), kNow);
+  for (std::int16_t i = 0; i < 3; ++i) camera.on_piece(part(picture, i, 3), kSceneNow);
   EXPECT_EQ(camera.version(), 1);
   EXPECT_EQ(camera.picture(), picture);
   const Json frame = Json::parse(camera.frame());
@@ -135,12 +135,12 @@ TEST(CameraView, APictureIsWholeOrNotShown) {
 
 TEST(CameraView, NothingButPicturesOfItsSize) {
   CameraView camera;
-  camera.on_piece(part("GIF89a, no picture of ours", 0), kNow);
+  camera.on_piece(part("GIF89a, no picture of ours", 0), kSceneNow);
   ModelTextPiece wrong = part("\x89PNG\r\n", 0);
   for (const auto& [pieces, size] : {std::pair{30000, 6}, {1, 1 << 24}, {0, 6}, {1, -1}}) {
     wrong.pieces = static_cast<std::int16_t>(pieces);
     wrong.size = size;
-    camera.on_piece(wrong, kNow);
+    camera.on_piece(wrong, kSceneNow);
   }
   EXPECT_EQ(camera.version(), 0);
 }

@@ -14,12 +14,12 @@ namespace twinbus {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kStart = 1000 * kMs;  // the steady clock does not begin at 0
+constexpr std::int64_t kStackStart = 1000 * kMs;  // the steady clock does not begin at 0
 
 using test::model;
 
 // A simulator's first tick.
-RobotState standing(std::int64_t run = 11) {
+RobotState standing_still(std::int64_t run = 11) {
   RobotState state = test::standing(run);
   state.tick = 1;
   state.term = 0;
@@ -37,9 +37,9 @@ Event event(std::int64_t sender, std::int32_t sequence, const char* text) {
 
 TEST(RateMeter, CountsPerSecond) {
   RateMeter meter;
-  for (int i = 0; i <= 1200; ++i) meter.update(i, kStart + i * 2 * kMs);
+  for (int i = 0; i <= 1200; ++i) meter.update(i, kStackStart + i * 2 * kMs);
   EXPECT_NEAR(meter.rate(), 500.0, 1.0);
-  meter.update(1200, kStart + 6000 * kMs);
+  meter.update(1200, kStackStart + 6000 * kMs);
   EXPECT_LT(meter.rate(), 100.0);
 }
 
@@ -58,15 +58,15 @@ TEST(StackView, AFloodOfSendersIsBounded) {
     view.on_event(event(i, 1, "x"));
     Heartbeat beat;
     beat.process_id = i;
-    view.on_heartbeat(beat, kStart);
+    view.on_heartbeat(beat, kStackStart);
     SourceStatus status;
     status.run_id = i;
-    view.on_source_status(status, kStart);
+    view.on_source_status(status, kStackStart);
   }
   EXPECT_LE(view.events().size(), 100u);
   EXPECT_LE(view.processes().size(), 100u);
   EXPECT_LE(view.sources().size(), 100u);
-  view.forget_silent(kStart + 20'000 * kMs);
+  view.forget_silent(kStackStart + 20'000 * kMs);
   EXPECT_TRUE(view.processes().empty());
   EXPECT_TRUE(view.sources().empty());
 }
@@ -112,41 +112,41 @@ TEST(StackView, RepeatedObstaclesAreNoChange) {
 // drawn as one.
 TEST(StackView, TruthIsAnchoredWhereTheEstimateIs) {
   StackView view(model());
-  view.on_state(standing(), kStart);
-  const Eigen::Isometry3d estimate = view.base(kStart);
+  view.on_state(standing_still(), kStackStart);
+  const Eigen::Isometry3d estimate = view.base(kStackStart);
   SimTruth truth;
   truth.run_id = 11;
   truth.base_position = {5.0, -3.0, estimate.translation().z()};
   truth.base_attitude = {std::cos(0.5), 0, 0, std::sin(0.5)};
-  view.on_truth(truth, kStart);
-  EXPECT_TRUE(view.truth_applies(kStart));
-  EXPECT_LT((view.base(kStart).translation() - estimate.translation()).norm(), 1e-9);
+  view.on_truth(truth, kStackStart);
+  EXPECT_TRUE(view.truth_applies(kStackStart));
+  EXPECT_LT((view.base(kStackStart).translation() - estimate.translation()).norm(), 1e-9);
 
   truth.base_position[2] = 0.2;  // it falls
-  view.on_truth(truth, kStart + kMs);
-  EXPECT_NEAR(view.base(kStart + kMs).translation().z(), 0.2, 1e-9);
+  view.on_truth(truth, kStackStart + kMs);
+  EXPECT_NEAR(view.base(kStackStart + kMs).translation().z(), 0.2, 1e-9);
 }
 
 TEST(StackView, TruthOfAnotherRunIsNotUsed) {
   StackView view(model());
-  view.on_state(standing(11), kStart);
+  view.on_state(standing_still(11), kStackStart);
   SimTruth truth;
   truth.run_id = 99;
-  view.on_truth(truth, kStart);
-  EXPECT_FALSE(view.truth_applies(kStart));
+  view.on_truth(truth, kStackStart);
+  EXPECT_FALSE(view.truth_applies(kStackStart));
 }
 
 TEST(StackView, WrongJointCountIsIgnored) {
   StackView view(model());
-  RobotState state = standing();
+  RobotState state = standing_still();
   state.joint_count = 3;
-  view.on_state(state, kStart);
+  view.on_state(state, kStackStart);
   EXPECT_EQ(view.state().at_ns, 0);
 }
 
 TEST(Health, SaysTheWorstThingFirst) {
   StackView view(model());
-  std::int64_t now = kStart;
+  std::int64_t now = kStackStart;
   EXPECT_EQ(assess(view, now).level, HealthLevel::kWaiting);
 
   SourceStatus source;
@@ -157,9 +157,9 @@ TEST(Health, SaysTheWorstThingFirst) {
   EXPECT_EQ(assess(view, now).level, HealthLevel::kBad);  // heard, but none active
   EXPECT_NE(assess(view, now).text.find("Activate"), std::string::npos);
 
-  view.on_state(standing(), now);
+  view.on_state(standing_still(), now);
   EXPECT_EQ(assess(view, now).level, HealthLevel::kWaiting);  // the start of a log: who has not spoken may not be silent
-  for (int i = 1; i <= 5; ++i) view.on_state(standing(), now + i * 100 * kMs);
+  for (int i = 1; i <= 5; ++i) view.on_state(standing_still(), now + i * 100 * kMs);
   EXPECT_EQ(assess(view, now + 500 * kMs).level, HealthLevel::kBad);
   EXPECT_NE(assess(view, now + 500 * kMs).text.find("controller"), std::string::npos);
   now += 500 * kMs;
@@ -173,7 +173,7 @@ TEST(Health, SaysTheWorstThingFirst) {
   view.on_controller_status(controller, now);
   EXPECT_EQ(assess(view, now).level, HealthLevel::kWarning);
 
-  RobotState stopped = standing();
+  RobotState stopped = standing_still();
   stopped.role = Role::kStopped;
   stopped.stop_kind = StopKind::kHold;
   view.on_state(stopped, now);
@@ -205,14 +205,14 @@ TEST(Health, ARobotThatLiesHasFallenWhateverItsMode) {
 
 TEST(Health, SaysThatTheSimulatorDoubtsItsSteps) {
   StackView view(model());
-  const std::int64_t now = kStart + 500 * kMs;
-  for (int i = 0; i <= 5; ++i) view.on_state(standing(), kStart + i * 100 * kMs);
+  const std::int64_t now = kStackStart + 500 * kMs;
+  for (int i = 0; i <= 5; ++i) view.on_state(standing_still(), kStackStart + i * 100 * kMs);
   ControllerStatus controller;
   controller.mode = Mode::kBalance;
   controller.zmp_margin = 0.05f;
   view.on_controller_status(controller, now);
   SimTruth truth;
-  truth.run_id = standing().run_id;
+  truth.run_id = standing_still().run_id;
   view.on_truth(truth, now);
   EXPECT_EQ(assess(view, now).level, HealthLevel::kGood);
   truth.doubted_steps = 12;
@@ -229,17 +229,17 @@ TEST(Health, SaysThatTheSimulatorDoubtsItsSteps) {
 // A robot whose simulator nobody can ask: its source has seen the fall.
 TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
   StackView view(model());
-  RobotState state = standing();
+  RobotState state = standing_still();
   state.role = Role::kStopped;
   state.stop_kind = StopKind::kOff;
-  view.on_state(state, kStart);
+  view.on_state(state, kStackStart);
   SourceStatus source;
   source.run_id = 11;
   source.source = SourceKind::kBridge;
   source.stop_kind = StopKind::kOff;
   source.stop_reason = StopReason::kFallen;
-  view.on_source_status(source, kStart);
-  const Health health = assess(view, kStart);
+  view.on_source_status(source, kStackStart);
+  const Health health = assess(view, kStackStart);
   EXPECT_EQ(health.level, HealthLevel::kBad);
   EXPECT_NE(health.text.find("fallen"), std::string::npos);
   EXPECT_NE(health.remedy.find("Clear"), std::string::npos);
@@ -247,10 +247,10 @@ TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
 
 TEST(Health, AnotherRobotIsNamed) {
   StackView view(model());
-  RobotState state = standing();
+  RobotState state = standing_still();
   state.model_hash += 1;
-  view.on_state(state, kStart);
-  EXPECT_NE(assess(view, kStart).text.find("--robot"), std::string::npos);
+  view.on_state(state, kStackStart);
+  EXPECT_NE(assess(view, kStackStart).text.find("--robot"), std::string::npos);
 }
 
 }  // namespace

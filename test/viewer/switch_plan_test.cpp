@@ -7,7 +7,7 @@
 namespace twinbus {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kPlanMs = 1'000'000;
 
 using test::model;
 
@@ -29,7 +29,7 @@ SourceStatus status_of_target(Role role) {
 TEST(SwitchPlan, AShadowFollowsForASecondBeforeItTakesOver) {
   StackView view(model());
   SwitchPlan plan;
-  std::int64_t now = 1000 * kMs;
+  std::int64_t now = 1000 * kPlanMs;
   SourceRequest request;
   view.on_state(state_of(11, Role::kActive), now);
   view.on_source_status(status_of_target(Role::kParked), now);
@@ -38,20 +38,20 @@ TEST(SwitchPlan, AShadowFollowsForASecondBeforeItTakesOver) {
   ASSERT_TRUE(plan.next(view, now, request));
   EXPECT_EQ(request.action, SourceAction::kStandbyShadow);
   EXPECT_EQ(request.run_id, 12);
-  EXPECT_FALSE(plan.next(view, now + kMs, request));
+  EXPECT_FALSE(plan.next(view, now + kPlanMs, request));
 
   view.on_source_status(status_of_target(Role::kStandbyShadow), now);
   const std::int64_t begin = now;
-  while (!plan.next(view, now, request) && now < begin + 3000 * kMs) {
-    now += 20 * kMs;
+  while (!plan.next(view, now, request) && now < begin + 3000 * kPlanMs) {
+    now += 20 * kPlanMs;
     view.on_state(state_of(11, Role::kActive), now);
     view.on_standby_state(state_of(12, Role::kStandbyShadow), now);
   }
   EXPECT_EQ(request.action, SourceAction::kSwitch);
   EXPECT_EQ(request.run_id, 11);
   EXPECT_EQ(request.target_run_id, 12);
-  EXPECT_GE(now - begin, 1000 * kMs);
-  EXPECT_LT(now - begin, 1200 * kMs);
+  EXPECT_GE(now - begin, 1000 * kPlanMs);
+  EXPECT_LT(now - begin, 1200 * kPlanMs);
   EXPECT_FALSE(plan.next(view, now, request));
 }
 
@@ -59,11 +59,11 @@ TEST(SwitchPlan, WithNobodyActiveItActivates) {
   StackView view(model());
   SwitchPlan plan;
   SourceRequest request;
-  plan.start(12, 1000 * kMs);
-  ASSERT_TRUE(plan.next(view, 1000 * kMs, request));
+  plan.start(12, 1000 * kPlanMs);
+  ASSERT_TRUE(plan.next(view, 1000 * kPlanMs, request));
   EXPECT_EQ(request.action, SourceAction::kActivate);
   EXPECT_EQ(request.target_run_id, 12);
-  EXPECT_FALSE(plan.next(view, 1001 * kMs, request));
+  EXPECT_FALSE(plan.next(view, 1001 * kPlanMs, request));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002;
+constexpr double kFeetDt = 0.002;
 
 struct Moved {
   Eigen::Vector2d turned;  // of the left sole, by a measured moment that shifts the load to its edges [rad]
@@ -35,7 +35,7 @@ Moved moved_in_a_tick(double times) {
   auto measured = loads;
   measured[0].moment += weight * Eigen::Vector2d(0.5 * (sole.left + sole.right), 0.5 * (sole.front + sole.back));
   measured[0].force += weight;
-  feet.update(pattern, loads, measured, {0.5, 0.5}, BaseError{}, kDt);
+  feet.update(pattern, loads, measured, {0.5, 0.5}, BaseError{}, kFeetDt);
   const Eigen::Isometry3d moved = before.inverse() * feet.target()[0];
   return {rotation_vector(moved.linear()).head<2>(), moved.translation().z()};
 }
@@ -44,10 +44,10 @@ TEST(WalkFeet, ASoleTurnsToTheGroundAsFastHoweverStiffItIs) {
   const WalkFeetGains gains;
   const Moved soft = moved_in_a_tick(1.0), stiff = moved_in_a_tick(8.0);
   for (Eigen::Index k = 0; k < 2; ++k) {
-    EXPECT_GT(stiff.turned[k], 0.95 * kDt * gains.ankle * gains.least_bend);
+    EXPECT_GT(stiff.turned[k], 0.95 * kFeetDt * gains.ankle * gains.least_bend);
     EXPECT_LE(stiff.turned[k], soft.turned[k] + 1e-6);
   }
-  EXPECT_NEAR(stiff.lifted, 0.5 * kDt * gains.force * gains.least_sink, 1e-6);
+  EXPECT_NEAR(stiff.lifted, 0.5 * kFeetDt * gains.force * gains.least_sink, 1e-6);
   EXPECT_NEAR(soft.lifted, stiff.lifted, 1e-5);
 }
 

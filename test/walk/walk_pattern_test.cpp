@@ -13,13 +13,13 @@
 namespace twinbus {
 namespace {
 
-constexpr double kDt = 0.002, kOmega = 3.74;
+constexpr double kPatternDt = 0.002, kOmega = 3.74;
 
-Gait gait() { return gait_of(test::hrp1s(), test::hrp1s().walking, 0.01); }
+Gait pattern_gait() { return gait_of(test::hrp1s(), test::hrp1s().walking, 0.01); }
 
 // A robot that does what the pattern says: a pendulum on the reference ZMP, and soles that land where they were sent.
 struct Puppet {
-  explicit Puppet(const Gait& how = gait()) : pattern(how) {
+  explicit Puppet(const Gait& how = pattern_gait()) : pattern(how) {
     std::array<Foothold, 2> feet;
     for (int f = 0; f < 2; ++f)
       feet[static_cast<std::size_t>(f)].position << 0.0, side_of(f) * 0.5 * pattern.gait().width;
@@ -35,16 +35,16 @@ struct Puppet {
       touching[moves] = pattern.swing().height() <= ground;
       measured[1 - moves].gradient.y() = gradient;
     }
-    pattern.advance(touching, measured, kDt);
+    pattern.advance(touching, measured, kPatternDt);
     pattern.plan(dcm, kOmega);
     jump = std::max(jump, (pattern.dcm() - dcm).norm());
     const Eigen::Vector2d zmp = pattern.zmp() + (1.0 + 4.0 / kOmega) * (dcm - pattern.dcm());
-    dcm += kDt * kOmega * (dcm - zmp);
-    com += kDt * kOmega * (dcm - com);
+    dcm += kPatternDt * kOmega * (dcm - zmp);
+    com += kPatternDt * kOmega * (dcm - com);
     most_height = std::max(most_height, pattern.single() ? pattern.swing().height() : 0.0);
   }
   void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / kDt)); ++i) tick();
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / kPatternDt)); ++i) tick();
   }
   WalkPattern pattern;
   Eigen::Vector2d dcm, com;
@@ -66,11 +66,11 @@ TEST(DcmPlan, APieceRunsForwardsAsItWasComputedBackwards) {
 
 // What nobody could know ahead, the end of walking, moves the reference of the closed form at once.
 TEST(WalkPattern, PreviewControlBendsTheReferenceThatTheClosedFormLetsJump) {
-  Gait preview = gait();
+  Gait preview = pattern_gait();
   preview.preview = true;
   double jump[2] = {};  // of the DCM in a tick [m]
   for (const bool with : {false, true}) {
-    Puppet puppet(with ? preview : gait());
+    Puppet puppet(with ? preview : pattern_gait());
     Eigen::Vector2d last = puppet.pattern.dcm();
     for (int i = 0; i < 4500; ++i) {
       puppet.pattern.want({i < 2000 ? 0.3 : 0.0, 0.0, 0.0});
@@ -92,11 +92,11 @@ double fastest_landing(Puppet& puppet, double seconds) {
   double fastest = 0.0;
   Eigen::Vector2d last = puppet.pattern.swing().place().position;
   bool was_single = false;
-  for (int i = 0; i < static_cast<int>(seconds / kDt); ++i) {
+  for (int i = 0; i < static_cast<int>(seconds / kPatternDt); ++i) {
     puppet.tick();
     const Eigen::Vector2d now = puppet.pattern.swing().place().position;
     const bool lands = puppet.pattern.single() && puppet.pattern.swing().progress() > 0.85;
-    if (lands && was_single) fastest = std::max(fastest, (now - last).norm() / kDt);
+    if (lands && was_single) fastest = std::max(fastest, (now - last).norm() / kPatternDt);
     was_single = puppet.pattern.single();
     last = now;
   }
@@ -172,7 +172,7 @@ TEST(WalkPattern, TheFootLiftsAsFarAsItShouldAndLandsSlowly) {
     const bool single = puppet.pattern.single();
     const double height = puppet.pattern.swing().height();
     if (single && was_single && puppet.pattern.swing().progress() > 0.97)
-      landing_speed = std::max(landing_speed, (last - height) / kDt);
+      landing_speed = std::max(landing_speed, (last - height) / kPatternDt);
     last = height;
     was_single = single;
   }
@@ -199,7 +199,7 @@ TEST(WalkPattern, AFootholdIsAsHighAsTheGroundThatWasMetThere) {
 }
 
 TEST(WalkPattern, DaresLessSpeedWhileLandingsFindStepsOrSolesStandOnEdges) {
-  const double most = gait().most_velocity.x();
+  const double most = pattern_gait().most_velocity.x();
   for (const bool edges : {false, true}) {
     Puppet puppet;
     puppet.pattern.want({most, 0.0, 0.0});
@@ -269,7 +269,7 @@ TEST(WalkPattern, AWalkThatGoesOnAfterAForeseenHaltHasTheSpeedThatFitsTheDcm) {
 
 // As after a walk that was stopped: the front foot carries the robot already, so the other one steps.
 TEST(WalkPattern, ACaptureStepIsMadeWithTheFootThatNeedsToStepLessFar) {
-  const Gait g = gait();
+  const Gait g = pattern_gait();
   for (int front = 0; front < 2; ++front) {
     WalkPattern pattern(g);
     std::array<Foothold, 2> feet;
@@ -305,7 +305,7 @@ TEST(WalkPattern, AListOfFootholdsIsSteppedOnOneByOne) {
 }
 
 TEST(StepAdjust, AnUndisturbedStepIsLeftAlone) {
-  const Gait g = gait();
+  const Gait g = pattern_gait();
   StepNow now;
   now.foot = 1;
   now.planned.position << 0.3, g.width;
@@ -321,7 +321,7 @@ TEST(StepAdjust, AnUndisturbedStepIsLeftAlone) {
 }
 
 TEST(StepAdjust, AFootIsNotThrownInwardShortlyBeforeItLands) {
-  const Gait g = gait();
+  const Gait g = pattern_gait();
   StepNow now;
   now.foot = 1;
   now.planned.position << 0.0, g.width + 0.1;
@@ -334,7 +334,7 @@ TEST(StepAdjust, AFootIsNotThrownInwardShortlyBeforeItLands) {
 }
 
 TEST(StepAdjust, AStepOfASoleThatLeansIsAsLongAsItsTimeAsks) {
-  Gait g = gait();
+  Gait g = pattern_gait();
   g.leans = true;
   g.sole_low.x() = -1.0;  // forward the sole catches it
   g.sole_high.x() = 1.0;
@@ -353,7 +353,7 @@ TEST(StepAdjust, AStepOfASoleThatLeansIsAsLongAsItsTimeAsks) {
 }
 
 TEST(StepAdjust, APushMovesTheFootholdThatWayAndTheDcmCanBeCaught) {
-  const Gait g = gait();
+  const Gait g = pattern_gait();
   StepNow now;
   now.foot = 1;
   now.planned.position << 0.0, g.width;
@@ -371,7 +371,7 @@ TEST(StepAdjust, APushMovesTheFootholdThatWayAndTheDcmCanBeCaught) {
 }
 
 TEST(StepAdjust, AStepIsNotHurriedMoreThanTheHipsCanThrowTheFoot) {
-  Gait strong = gait(), weak = strong;
+  Gait strong = pattern_gait(), weak = strong;
   weak.swing_acceleration.x() = 20.0;
   StepNow now;
   now.foot = 1;
