@@ -4,7 +4,7 @@
 FOLDER/lcmtypes/msg/messages.h         structs, enumerations and sizes, without the bus
 FOLDER/lcmtypes/msg/labels.h           what the enumerations are called in sentences for people
 FOLDER/lcmtypes/bus/wire_table.h       size, sender and counter of each struct (Wire<T>)
-FOLDER/lcmtypes/bus/message_of.h       lcm-gen's class of each struct (MessageOf<T>), and the list of all
+FOLDER/lcmtypes/bus/message_of.h       lcm-gen's class of each struct (LcmClassOf<T>), and the list of all
 FOLDER/lcmtypes/bus/message_fields.h   the fields of each with their rules, for convert.cpp
 FOLDER/lcmtypes/bus/message_samples.h  a valid value of each struct, for tests
 FOLDER/lcmtypes/bus/older_messages.h   of the files in a folder `older`: how a message of that version becomes one of now
@@ -270,9 +270,9 @@ def wire_table(types: list[Type]) -> str:
 
 def message_of(types: list[Type]) -> str:
     lines = ['#pragma once', '#include "lcmtypes/msg/messages.h"'] + [f'#include "twinbus/{type_.said.name}.hpp"' for type_ in types]
-    lines += ['', 'namespace twinbus::inline lcmtypes {', 'template <class T>', 'struct MessageOf;']
+    lines += ['', 'namespace twinbus::inline lcmtypes {', 'template <class T>', 'struct LcmClassOf;']
     for type_ in types:
-        lines += ['template <>', f'struct MessageOf<{type_.struct}> {{', f'  using type = {type_.said.name};', '};']
+        lines += ['template <>', f'struct LcmClassOf<{type_.struct}> {{', f'  using type = {type_.said.name};', '};']
     lines += ['}  // namespace twinbus::lcmtypes', '', '// X(T) for every struct.', '#define TWINBUS_MESSAGES(X) ' + ' '.join(f'X({type_.struct})' for type_ in types)]
     return '\n'.join(lines) + '\n'
 

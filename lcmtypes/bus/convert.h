@@ -15,7 +15,7 @@
 namespace twinbus::inline lcmtypes {
 
 template <class T>
-using Message = typename MessageOf<T>::type;
+using Message = typename LcmClassOf<T>::type;
 
 // Both directions check; the output is complete only when kOk comes back.
 template <class T>
