@@ -16,6 +16,7 @@
 #include "geometry/bounds/coarse_mesh.h"
 #include "launcher/check/check_cells.h"
 #include "launcher/check/check_pairs.h"
+#include "launcher/check/check_parallel.h"
 #include "launcher/check/subject.h"
 #include "launcher/check/trained_joints.h"
 #include "launcher/check/trial.h"
@@ -142,6 +143,7 @@ json report(const Model& model, const Extent& extent, const Model& gains) {
          {"kd", with_gains(joint, gains).kd},
          {"mimics", joint.mimic < 0 ? json(nullptr) : json(model.joints[at(joint.mimic)].name)}});
   }
+  if (const json pairs = parallel_joints_json(model); !pairs.empty()) out["parallel_joints"] = pairs;
   for (const NamedPose& pose : model.poses) out["poses"].push_back(pose.name);
   return out;
 }
@@ -218,6 +220,7 @@ void print(const Model& model, const Extent& extent, const Model& gains) {
     std::printf("%s has no motor: a spring of %.3g N m/rad that rests at %.3g rad\n", model.joints[at(passive.joint)].name.c_str(),
                 passive.stiffness, passive.rest);
   }
+  print_parallel_joints(model);
   const std::string loops = loops_sentence(model);
   if (!loops.empty()) std::printf("%s\n", loops.c_str());
   std::printf("poses:");

@@ -10,6 +10,7 @@
 #include "launcher/run/local_stack.h"
 #include "common/math/index.h"
 #include "common/process/process.h"
+#include "robot/dynamics/pair_torque.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
 #include "sim/world/static_equilibrium.h"
@@ -33,12 +34,14 @@ std::vector<std::string> weak_joints(const Model& model) {
       stand(model, Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())),
             1.0, {model.soles[0].stiffness / kSoleCorners, model.soles[1].stiffness / kSoleCorners},
             {0.0, 0.0}, !model.floating_base);
+  const PairTorque torque(model);
   for (const int j : model.bus_joints) {
     const Joint& joint = model.joints[at(j)];
     const double needed = std::abs(standing.needed[j]);
-    if (needed <= kReserve * joint.effort) continue;
+    const double limit = torque.effort_in(j, standing.configuration.q);
+    if (needed <= kReserve * limit) continue;
     weak.push_back(formatted("joint %s needs %.1f N m to hold half_sitting; its effort limit is %.1f", joint.name.c_str(),
-                             needed, joint.effort));
+                             needed, limit));
   }
   return weak;
 }

@@ -10,6 +10,7 @@
 #include "common/process/arguments.h"
 #include "launcher/run/fit_scene.h"
 #include "robot/description/load.h"
+#include "robot/description/parallel_joints.h"
 #include "robot/mjcf/model_writer.h"
 #include "robot/mjcf/urdf_text.h"
 #include "sim/mujoco/mjcf_world.h"
@@ -93,7 +94,7 @@ std::string world_urdf(const WorldConfig& config) {
 }
 
 // What other simulators are not told.
-void tell_left_out(const Scene& scene) {
+void tell_left_out(const Scene& scene, const Model& model) {
   const auto tell = [](std::size_t count, const char* what) {
     if (count > 0) std::printf("left out: %zu %s\n", count, what);
   };
@@ -102,6 +103,7 @@ void tell_left_out(const Scene& scene) {
   tell(meshes, "loose bodies that are meshes");
   tell(scene.robots.size(), "further robots");
   tell(scene.loops.size(), "loops");
+  tell(parallel_joints_of(model).size(), "pairs of motors with cranks and rods; each of their joints has a servo and a limit of its own");
   tell(scene.grasps.size(), "grasps");
   tell(scene.pushes.size(), "pushes");
   tell(scene.modes.size() + scene.goals.size() + scene.walks.size(), "commands to the controller");
@@ -135,7 +137,7 @@ Contacts are another simulator's own: stiffness and damping of soles are not han
     write_new(folder / "world.urdf", world_urdf(world_of(all.scene, all.model.period())));
   }
   for (const auto& [name, shape] : meshes.all()) write_new(folder / "meshes" / (name + ".obj"), obj_of(shape));
-  tell_left_out(all.scene);
+  tell_left_out(all.scene, all.model);
   std::printf("written: %s\n", main_file.c_str());
   return 0;
 }

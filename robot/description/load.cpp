@@ -158,6 +158,7 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   model.grippers = read_grippers(yaml, model);
   apply_servos(yaml, model);
   apply_passive(yaml, model);
+  apply_parallel_joints(yaml.parallel_joints, model);
   model.loops = yaml.loops;
   for (const Loop& loop : yaml.loops) {
     for (const std::string& name : {loop.link, loop.to}) {

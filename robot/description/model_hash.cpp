@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "common/text/xml.h"
+#include "robot/description/parallel_joints.h"
 
 namespace twinbus::inline robot {
 
@@ -92,6 +93,15 @@ std::int64_t model_hash(const Model& model) {
     hash.text(hand.name);
     hash.integer(hand.link);
     hash.pose(hand.frame);
+  }
+  for (const ParallelJoints& pair : parallel_joints_of(model)) {
+    for (const int i : {0, 1}) {
+      const RodMotor& motor = pair.drive.motor(i);
+      hash.integer(pair.joints[static_cast<std::size_t>(i)]);
+      hash.text(motor.name);
+      for (const Eigen::Vector3d& v : {motor.center, motor.axis, motor.arm, motor.rod}) hash.matrix(v);
+      for (const double limit : {motor.torque, motor.speed, motor.lower, motor.upper}) hash.number(limit);
+    }
   }
   hash.integer(model.imu_link);
   hash.pose(model.imu);

@@ -222,6 +222,7 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     yaml.walking = read_walking(walking);
   }
   for (const ConfigNode& node : top.list("loops")) yaml.loops.push_back(read_loop(node));
+  for (const ConfigNode& node : top.list("parallel_joints")) yaml.parallel_joints.push_back(read_parallel_joints(node));
   for (const ConfigNode& node : top.list("near_pairs")) yaml.near_pairs.push_back(read_near_pair(node));
   if (top.has("tools")) {
     const ConfigNode tools = top.map("tools");

@@ -10,6 +10,7 @@
 
 #include "common/text/strict_yaml.h"
 #include "robot/description/model.h"
+#include "robot/description/parallel_joints.h"
 #include "robot/description/urdf.h"
 
 namespace twinbus::inline robot {
@@ -81,6 +82,7 @@ struct RobotYaml {
   std::vector<PassiveEntry> passive_joints;
   Walking walking;
   std::vector<Loop> loops;
+  std::vector<ParallelEntry> parallel_joints;
   std::vector<NearPairEntry> near_pairs;
   std::vector<Tool> tools;
   std::vector<GripperEntry> grippers;

@@ -8,6 +8,7 @@ namespace twinbus::inline robot {
 
 GravityLoad::GravityLoad(const Model& model)
     : model_(&model),
+      torque_(model),
       kinematics_(model),
       dynamics_(model),
       still_(model),
@@ -21,9 +22,8 @@ GravityLoad::Worst GravityLoad::of(const Configuration& posture, const std::vect
   dynamics_.solve(kinematics_, still_, zero_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {}, tau_);
   Worst worst;
   for (const int joint : joints) {
-    const double limit = model_->joints[at(joint)].effort;
-    if (!(limit > 0.0)) continue;  // the file has none
-    const double share = std::abs(tau_[joint]) / limit;
+    if (!(model_->joints[at(joint)].effort > 0.0)) continue;  // the file has none
+    const double share = torque_.share(joint, posture.q, tau_);
     if (worst.joint < 0 || share > worst.share) worst = {joint, share, std::abs(tau_[joint])};
   }
   return worst;

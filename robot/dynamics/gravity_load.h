@@ -7,6 +7,7 @@
 
 #include "robot/description/model.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/pair_torque.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus::inline robot {
@@ -27,6 +28,7 @@ class GravityLoad {
 
  private:
   const Model* model_;
+  PairTorque torque_;
   Kinematics kinematics_;
   InverseDynamics dynamics_;
   Configuration still_;
