@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bridge/adaptor/adaptor_host.h"
+#include "bridge/adaptor/motor_space_adaptor.h"
 #include "bridge/source/source_main.h"
 #include "bridge/adaptor/threaded_adaptor.h"
 #include "robot/description/load.h"
@@ -28,7 +29,8 @@ int run(int argc, char** argv) {
   const Model model = load_robot(options.common.robot);
   LoadedAdaptor loaded(name);
   enter_real_time(options.priority);  // the device's thread inherits it
-  ThreadedAdaptor adaptor(*loaded);
+  ThreadedAdaptor device(*loaded);
+  MotorSpaceAdaptor adaptor(device);  // the bus has joints
   const Status opened = adaptor.open(model, config);
   if (opened != Status::kOk) {
     std::fprintf(
@@ -39,7 +41,7 @@ int run(int argc, char** argv) {
   }
   const int code = run_source_main(options, model, adaptor);
   adaptor.close();
-  if (adaptor.hung()) {
+  if (device.hung()) {
     std::fprintf(stderr, "bridge: the device hangs; leaving without it\n");
     loaded.abandon();
     std::fflush(nullptr);

@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "robot/description/parallel_joints.h"
 #include "sim/sim_adaptor_impl.h"
 
 namespace twinbus::inline sim {
@@ -15,6 +16,7 @@ void SimAdaptor::share_lanes(const std::vector<SimAdaptor*>& sims) {
     const Impl& s = *sim->impl_;
     const std::string why = s.own_world == nullptr ? "a simulator that is not open" : LaneWorlds::why_not(s.settings.world);
     if (!why.empty()) throw std::runtime_error("lanes: " + why);
+    if (!parallel_joints_of(*s.model).empty()) throw std::runtime_error("lanes: joints share motors");
     models.push_back(s.model);
   }
   std::vector<std::unique_ptr<World>> worlds;

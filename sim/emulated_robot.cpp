@@ -47,6 +47,8 @@ EmulatedRobot::EmulatedRobot(const Model& model, Scene scene, const EmulatedRobo
     throw std::runtime_error("the body cannot be simulated in scene " + scene.name);
   }
   command_.joint_count = static_cast<std::int16_t>(model.bus_count());
+  motors_ = MotorSpace(model);
+  pairs_ = parallel_joints_of(model);
 }
 
 bool EmulatedRobot::accept(const emulated::CommandPacket& packet, std::int64_t now_ns) noexcept {
@@ -97,6 +99,17 @@ void EmulatedRobot::watch(std::int64_t now_ns) noexcept {
     mode_ = DeviceMode::kDamping;
 }
 
+// A motor damps by its own torque limit.
+void EmulatedRobot::damp_motors() noexcept {
+  for (const ParallelJoints& pair : pairs_) {
+    if (!pair.driver_of_motors) continue;
+    for (int i = 0; i < 2; ++i) {
+      const int bus = model_->bus_index[static_cast<std::size_t>(pair.joints[static_cast<std::size_t>(i)])];
+      command_.kd[static_cast<std::size_t>(bus)] = static_cast<float>(kDampPerEffort * pair.drive.motor(i).torque);
+    }
+  }
+}
+
 void EmulatedRobot::cycle(std::int64_t now_ns, emulated::StatePacket& packet) noexcept {
   watch(now_ns);
   if (mode_ == DeviceMode::kDamping) {
@@ -107,10 +120,16 @@ void EmulatedRobot::cycle(std::int64_t now_ns, emulated::StatePacket& packet) no
       const Joint& joint = model_->joints[static_cast<std::size_t>(model_->bus_joints[k])];
       command_.kd[k] = static_cast<float>(kDampPerEffort * joint.effort);
     }
+    damp_motors();
   }
   // Before its first command the body holds its start pose by itself.
-  if (newest_.sequence != 0 && commanded_ns_ != 0) (void)body_->write(command_);
+  if (newest_.sequence != 0 && commanded_ns_ != 0) {
+    JointCommand joints = command_;
+    if (motors_.to_joints(joints)) driven_ = joints;  // else what it was: the motors run against their rods
+    (void)body_->write(driven_);
+  }
   (void)body_->read(state_, 0.0);
+  (void)motors_.to_motors(state_);
 
   packet.mode = mode_;
   packet.sequence = ++cycles_;

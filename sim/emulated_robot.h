@@ -1,6 +1,7 @@
 // The stand-in robot's own electronics: servos that are switched on by command, a watchdog, and a
 // body that is simulated with other masses, friction, backlash, sensors and ground than the nominal
-// robot.
+// robot.  Where robot.yaml says that two motors turn two joints and that the driver speaks of the motors
+// (`parallel_joints`), its electronics do: the packets have the motors' angles, speeds, torques and gains.
 //
 // Knows neither socket nor clock: the program (emulated_robot_main.cpp) calls cycle() once per
 // period of its own.
@@ -9,6 +10,7 @@
 
 #include <memory>
 
+#include "bridge/adaptor/motor_space.h"
 #include "bridge/adaptors/emulated_robot/protocol.h"
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
@@ -43,14 +45,18 @@ class EmulatedRobot {
 
  private:
   void watch(std::int64_t now_ns) noexcept;
+  void damp_motors() noexcept;
 
   const Model* model_;
   EmulatedRobotOptions options_;
   std::unique_ptr<SimAdaptor> body_;
   emulated::DeviceMode mode_ = emulated::DeviceMode::kBraked;
   emulated::CommandPacket newest_;
-  JointCommand command_;
+  JointCommand command_;  // as the driver says it: of the motors where two of them turn two joints
   RobotState state_;
+  MotorSpace motors_;
+  std::vector<ParallelJoints> pairs_;
+  JointCommand driven_;  // of the joints: what the body was given last
   std::int64_t commanded_ns_ = 0;
   std::uint64_t cycles_ = 0, dropped_ = 0;
 };

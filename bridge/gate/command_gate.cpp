@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/math/index.h"
+#include "robot/dynamics/pair_speed.h"
 #include "robot/kinematics/brake.h"
 
 namespace twinbus::inline bridge {
@@ -16,6 +17,7 @@ constexpr int kMakesUp = 50;        // ticks of cut steps that are put down to a
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
 constexpr double kTakeOver = 0.10;  // in which a stop plan takes the set-points over [s]
+constexpr double kMotorHaste = 1.05;  // of its speed, that a set-point may turn a motor: as set_point_rate() of a joint
 constexpr double kSoftTakeOver = 0.25;  // and from soft servos, which are far from it; not before the command timeout [s]
 constexpr double kSoftReach = 1.0;      // from where the joints are [rad or m]
 constexpr double kTakeBack = 0.15;  // and a controller again [s]
@@ -68,6 +70,7 @@ void CommandGate::hold_measured(const RobotState& state) noexcept {
     effective_.kp[i] = limits_->kp[i];
     effective_.kd[i] = limits_->kd[i];
   }
+  limits_->pairs.limit(state.q, effective_.tau);
   start_hold(false);
 }
 
@@ -398,6 +401,28 @@ void CommandGate::limit(JointCommand& command) noexcept {
     within(command.q[i], What::kPositionStep, q - q_step, q + q_step, q);
     within(command.tau[i], What::kTorqueStep, tau - tau_step, tau + tau_step, tau);
   }
+  // Where two motors turn two joints: how fast these turn, and what they give at the measured posture.
+  for (int j = 0; j < limits_->joint_count && !limits_->pairs.empty(); ++j) {
+    const ParallelJoints* pair = limits_->pairs.with(limits_->robot->bus_joints[at(j)]);
+    if (pair == nullptr || pair->joints[0] != limits_->robot->bus_joints[at(j)]) continue;
+    const std::size_t first = at(j), second = at(limits_->robot->bus_index[at(pair->joints[1])]);
+    Eigen::Vector2d to(command.q[first], command.q[second]);
+    Eigen::Vector2d qd(static_cast<double>(command.qd[first]), static_cast<double>(command.qd[second]));
+    if (!limit_speed(*pair, {effective_.q[first], effective_.q[second]}, limits_->period, kMotorHaste, to, qd)) continue;
+    ++cuts;
+    command.q[first] = to[0];
+    command.q[second] = to[1];
+    command.qd[first] = static_cast<float>(qd[0]);
+    command.qd[second] = static_cast<float>(qd[1]);
+  }
+  const auto& posture = measured_.known ? measured_.q : command.q;
+  limits_->pairs.limit(posture, command.tau, [&](std::size_t joint, double asked, double given) {
+    const double limit = limits_->effort[joint];
+    if (std::abs(asked - given) <= kRounding * limit) return;
+    ++cuts;
+    if (first_cut_.what == FirstCut::What::kNone && std::abs(asked - given) > kSpoken * limit)
+      first_cut_ = {FirstCut::What::kTorque, static_cast<std::int16_t>(joint), asked, given, 0};
+  });
   counters_.clamped += cuts;
 }
 

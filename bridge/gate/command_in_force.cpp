@@ -15,6 +15,20 @@ float servo(const JointCommand& command, const RobotState& measured, std::size_t
   return command.kp[i] * static_cast<float>(command.q[i] - measured.q[i]) + command.kd[i] * (command.qd[i] - measured.qd[i]);
 }
 
+// Of all joints, as the servos give it.
+PerJoint<float> torques_of(const JointCommand& command, const RobotState& measured, const GateLimits& limits) noexcept {
+  PerJoint<float> tau{};
+  for (int j = 0; j < limits.joint_count; ++j) {
+    const std::size_t i = at(j);
+    const auto effort = static_cast<float>(limits.effort[i]);
+    const float asked = servo(command, measured, i) + command.tau[i];
+    const bool pair = limits.pairs.with(limits.robot->bus_joints[i]) != nullptr;  // limited at its motors
+    tau[i] = pair ? asked : std::clamp(asked, -effort, effort);
+  }
+  limits.pairs.limit(measured.q, tau);
+  return tau;
+}
+
 template <class T>
 T between(T before, T newest, float share) noexcept {
   return before + static_cast<T>(share) * (newest - before);
@@ -25,13 +39,13 @@ T between(T before, T newest, float share) noexcept {
 bool find_command_in_force(const RobotState& measured, const JointCommand& before, const JointCommand& newest,
                            const GateLimits& limits, JointCommand& in_force) noexcept {
   in_force = newest;
+  const PerJoint<float> firsts = torques_of(before, measured, limits), lasts = torques_of(newest, measured, limits);
   bool explained = true;
   for (int j = 0; j < limits.joint_count && explained; ++j) {
     const std::size_t i = at(j);
     const auto effort = static_cast<float>(limits.effort[i]), near = kTorqueJump * effort;
     const float tau = measured.tau[i];
-    const float first = std::clamp(servo(before, measured, i) + before.tau[i], -effort, effort);
-    const float last = std::clamp(servo(newest, measured, i) + newest.tau[i], -effort, effort);
+    const float first = firsts[i], last = lasts[i];
     if (std::abs(tau - last) <= near) continue;  // it acts
     const bool one_servo = before.kp[i] == newest.kp[i] && before.kd[i] == newest.kd[i];
     if (!one_servo && std::abs(tau - first) <= near) {

@@ -22,7 +22,7 @@ std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
 
 }  // namespace
 
-GateLimits::GateLimits(const Model& model) : robot(&model) {
+GateLimits::GateLimits(const Model& model) : robot(&model), pairs(model) {
   joint_count = model.bus_count();
   model_hash = model.hash;
   legs = bits_of(model, model.leg_joints);

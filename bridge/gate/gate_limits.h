@@ -6,6 +6,7 @@
 
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
+#include "robot/dynamics/pair_torque.h"
 
 namespace twinbus::inline bridge {
 
@@ -13,6 +14,7 @@ namespace twinbus::inline bridge {
 struct GateLimits {
   explicit GateLimits(const Model& model);  // the model must outlive this
   const Model* robot;
+  PairTorque pairs;  // of joints that share motors
   int joint_count = 0;
   std::int64_t model_hash = 0;
   std::int64_t arms = 0;  // bit per joint

@@ -14,6 +14,7 @@ constexpr double kEffortShare = 0.95;  // some is needed to move
 
 SquatCheck::SquatCheck(const Model& model)
     : model_(&model),
+      torque_(model),
       ik_(model),
       dynamics_(model),
       still_(Eigen::VectorXd::Zero(model.joint_count())),
@@ -48,7 +49,7 @@ const char* SquatCheck::why_not(const Estimator& estimator, double depth) noexce
   (void)dynamics_.solve(k, ik_.configuration(), still_, Eigen::Vector3d::Zero(),
                         Eigen::Vector3d::Zero(), wrench_, tau_);
   for (int j = 0; j < model_->joint_count(); ++j) {
-    if (ik_.is_leg(j) && !(std::abs(tau_[j]) < kEffortShare * model_->joints[at(j)].effort))
+    if (ik_.is_leg(j) && !(torque_.share(j, ik_.configuration().q, tau_) < kEffortShare))
       return "the efforts of the leg joints are too small to squat so deep; the robot stands as it "
              "did";
   }

@@ -8,6 +8,7 @@
 
 #include "control/legs/whole_body_ik.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/pair_torque.h"
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 
@@ -23,6 +24,7 @@ class SquatCheck {
 
  private:
   const Model* model_;
+  PairTorque torque_;
   WholeBodyIk ik_;
   InverseDynamics dynamics_;
   Eigen::VectorXd still_, tau_;

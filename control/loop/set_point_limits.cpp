@@ -16,8 +16,8 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 double or_none(double limit) noexcept { return limit > 0.0 ? limit : kNone; }
 }  // namespace
 
-SetPointLimits::SetPointLimits(const Model& model) noexcept
-    : count_(static_cast<std::size_t>(model.bus_count())) {
+SetPointLimits::SetPointLimits(const Model& model)
+    : pairs_(model), count_(static_cast<std::size_t>(model.bus_count())) {
   for (std::size_t i = 0; i < count_; ++i) {
     const Joint& j = model.joints[at(model.bus_joints[i])];
     const bool turns = j.kind == JointKind::kContinuous;
@@ -67,6 +67,7 @@ void SetPointLimits::apply(const RobotState& state, const SetPoint* last, double
     p.kp[i] = std::max(0.0, p.kp[i]);
     p.kd[i] = std::max(0.0, p.kd[i]);
   }
+  pairs_.limit(state.q, p.tau);
 }
 
 }  // namespace twinbus::control

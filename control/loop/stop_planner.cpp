@@ -32,6 +32,7 @@ const Foothold& place_of(const WalkPattern& pattern, int foot) noexcept {
 
 StopPlanner::StopPlanner(const Model& model, const Walk* walk, std::int32_t first_number)
     : model_(model),
+      torque_(model),
       every_(ticks_of(kEvery, model.period())),
       every_resting_(ticks_of(kEveryResting, model.period())),
       spacing_(ticks_of(kSpacing, model.period())),
@@ -214,11 +215,16 @@ bool StopPlanner::write_torque(int k) noexcept {
   }
   (void)dynamics_.solve(kinematics_, configuration_, qdd_, n.acceleration, Eigen::Vector3d::Zero(), wrench_, tau_);
   bool fits = true;
-  for (int j = 0; k > 0 && j < model_.bus_count(); ++j) {  // knot 0 has the torques of the command
+  PerJoint<double> q{}, tau{};
+  for (int j = 0; j < model_.bus_count(); ++j) {
     const int joint = model_.bus_joints[at(j)];
     const double most = model_.joints[at(joint)].effort;
-    fits = to_plan(std::clamp(tau_[joint], -most, most), kPlanTorque, plan.tau[at(k)][at(j)]) && fits;
+    q[at(j)] = configuration_.q[joint];
+    tau[at(j)] = std::clamp(tau_[joint], -most, most);
   }
+  torque_.limit(q, tau);
+  for (int j = 0; k > 0 && j < model_.bus_count(); ++j)  // knot 0 has the torques of the command
+    fits = to_plan(tau[at(j)], kPlanTorque, plan.tau[at(k)][at(j)]) && fits;
   return fits;
 }
 

@@ -17,6 +17,7 @@
 #include "control/loop/arm_forecast.h"
 #include "control/walk/walk.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/pair_torque.h"
 #include "robot/stop_plan/stop_plan.h"
 
 namespace twinbus::inline control {
@@ -81,6 +82,7 @@ class StopPlanner {
   std::size_t find(std::int32_t number) const noexcept;  // kKept: none
 
   const Model& model_;
+  PairTorque torque_;
   std::int64_t every_, every_resting_, spacing_, step_, going_on_;  // [ticks]
   std::array<Begun, kKept> begun_;
   std::size_t now_ = 0;  // the plan that is being made

@@ -11,6 +11,7 @@
 #include "robot/collision/collision.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/pair_torque.h"
 #include "robot/estimation/support_polygon.h"
 #include "robot/kinematics/leg_chain.h"
 
@@ -73,6 +74,7 @@ class Check {
  public:
   Check(const Model& model, const MotionClip& motion, const MotionCheckConfig& config)
       : model_(model),
+        torque_(model),
         motion_(motion),
         config_(config),
         faults_(std::max<std::int64_t>(1, std::llround(kTold / model.period()))),
@@ -290,7 +292,7 @@ class Check {
     for (int k = 0; k < model_.bus_count(); ++k) {
       const Joint& joint = model_.joints[at(model_.bus_joints[at(k)])];
       if (!(joint.effort > 0.0)) continue;
-      const double share = std::abs(tau_[model_.bus_joints[at(k)]]) / joint.effort;
+      const double share = torque_.share(model_.bus_joints[at(k)], now.q, tau_);
       if (share > verdict_.effort_share) {
         verdict_.effort_share = share;
         verdict_.effort_joint = joint.name;
@@ -328,6 +330,7 @@ class Check {
   }
 
   const Model& model_;
+  PairTorque torque_;
   const MotionClip& motion_;
   const MotionCheckConfig& config_;
   Faults faults_;

@@ -11,6 +11,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 #include "common/math/pose_math.h"
+#include "robot/dynamics/pair_torque.h"
 
 namespace twinbus::inline control {
 
@@ -62,11 +63,13 @@ double held_by_ankle(const Model& model, int foot) {
   Configuration configuration(model);
   Kinematics kinematics(model);
   kinematics.update(configuration);
+  const PairTorque torque(model);
   double lever = kZmpForward;
+  const Configuration standing = model.find_pose("half_sitting") >= 0 ? Configuration(model, "half_sitting") : configuration;
   for (const int joint : leg_chain(model, foot)) {
     if (joint <= knee) continue;
     if (std::abs(kinematics.axis_in_world(joint).y()) < kPitch) continue;  // it rolls the foot
-    lever = std::min(lever, kAnkleShare * model.joints[at(joint)].effort / (model.total_mass() * kGravity));
+    lever = std::min(lever, kAnkleShare * torque.effort_in(joint, standing.q) / (model.total_mass() * kGravity));
   }
   return lever;
 }

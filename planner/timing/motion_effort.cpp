@@ -35,6 +35,7 @@ double largest_share(double still, double thick, double hard, double limit) {
 MotionEffort::MotionEffort(const Model& model, const Configuration& posture,
                            const std::vector<int>& joints)
     : model_(&model),
+      torque_(model),
       joints_(joints),
       there_(posture),
       kinematics_(model),
@@ -101,7 +102,7 @@ double MotionEffort::slower(const TimedPath& path) {
     bool beyond = false;
     for (int k = 0; k < qd.size(); ++k) {
       const Joint& joint = model_->joints[at(joints_[at(k)])];
-      const double limit = joint.effort;
+      const double limit = torque_.effort_in(joints_[at(k)], there_.q);
       if (!(limit > 0.0)) continue;  // the file has none
       const double effort = std::abs(moving_[joints_[at(k)]] + drag(joint, k));
       largest_ = std::max(largest_, effort / limit);
@@ -111,7 +112,7 @@ double MotionEffort::slower(const TimedPath& path) {
     efforts(q, rest, rest, still_);
     for (int k = 0; k < qd.size(); ++k) {
       const Joint& joint = model_->joints[at(joints_[at(k)])];
-      const double limit = kAll * joint.effort;
+      const double limit = kAll * torque_.effort_in(joints_[at(k)], there_.q);
       if (!(limit > 0.0)) continue;
       const double hold = still_[joints_[at(k)]], move = moving_[joints_[at(k)]] - hold;
       const double rub = friction_at(joint, qd[k]), thick = joint.damping * qd[k];

@@ -12,6 +12,7 @@
 #include "planner/timing/path_timing.h"
 #include "robot/dynamics/gravity_load.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/pair_torque.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 
@@ -48,6 +49,7 @@ class MotionEffort {
                Eigen::VectorXd& tau);
 
   const Model* model_;
+  PairTorque torque_;
   std::vector<int> joints_;
   Configuration there_;
   Kinematics kinematics_;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "robot/description/model.h"
 #include "sim/articulated/aba.h"
@@ -57,6 +58,14 @@ class JointLaw {
     backlash_ = 0.0;
     passive_ = true;
   }
+  // For two joints that share two motors (sim/motors/motor_limits.h), which say what the servo gives of the torque it asks for: its line
+  // in this step, and the one to be taken instead.
+  void limit_elsewhere() noexcept {
+    limit_ = std::numeric_limits<double>::infinity();
+    shared_ = true;
+  }
+  JointRow servo_line() const noexcept { return servo_; }
+  void take_servo_line(const JointRow& line) noexcept { servo_ = line; }
   // After a jump: torque of the servo until now, which says on which flank of its play it is.
   void set_tau(double tau) noexcept;
 
@@ -86,7 +95,7 @@ class JointLaw {
   }
 
   // For motion that is not solved implicitly: nothing in the joint depends on the step.
-  bool smooth() const noexcept { return !(friction_ > 0.0) && !(backlash_ > 0.0); }
+  bool smooth() const noexcept { return !(friction_ > 0.0) && !(backlash_ > 0.0) && !shared_; }
   double torque_at(double q, double qd) const noexcept;  // servo and damping
   double stiffness() const noexcept { return target_.kp; }
   double damping() const noexcept { return target_.kd + damping_; }
@@ -118,11 +127,11 @@ class JointLaw {
   double stick_;       // speed beyond which friction slides; none without friction
   double stick_gain_;  // of friction that does not [N m s/rad]
   ServoTarget target_;
-  bool passive_ = false;
+  bool passive_ = false, shared_ = false;
   double play_ = 0.0, tau_ = 0.0;
   double saved_play_ = 0.0, saved_tau_ = 0.0;
   // Of this step.
-  JointRow servo_;                           // not limited
+  JointRow servo_;                           // not limited, but for joints that share motors
   double low_bound_ = 0.0, high_bound_ = 0;  // of qd+ by the stops
   Pieces pieces_;
 };

@@ -82,4 +82,16 @@ bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
   return true;
 }
 
+double ArticulatedWorld::corner_stiffness(int sole) const noexcept {
+  const ContactParams& params = ground_.sole_params(sole);
+  if (!soft_) return params.stiffness;
+  return soft_->stiffness(ground_.sole_link(sole), params.friction, body_.mass() * kGravity / (2.0 * kSoleCorners));
+}
+
+double ArticulatedWorld::corner_damping(int sole, double force) const noexcept {
+  const ContactParams& params = ground_.sole_params(sole);
+  if (soft_) return soft_->damping(ground_.sole_link(sole), params.friction, force);
+  return damping_at(params, force / params.stiffness);
+}
+
 }  // namespace twinbus::sim

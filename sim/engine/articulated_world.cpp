@@ -47,6 +47,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
   for (const PassiveJoint& p : passive_joints_of(model)) joints_[at(p.joint)].make_spring(p.stiffness, p.rest);
+  motors_ = MotorLimits(model, joints_);
   contacts_.reserve(at(loose_.most_contacts() + ties_.count()));
   reported_.reserve(at(2 * (loose_.most_contacts() + ties_.count())));
   pushes_.reserve(kMostPushes);
@@ -332,7 +333,7 @@ std::uint64_t ArticulatedWorld::pattern() const noexcept {
       pattern = mix(mix(pattern, static_cast<int>(j)), pieces);
     }
   }
-  return loose_.robots().pattern(pattern);
+  return loose_.robots().pattern(motors_.pattern(pattern));
 }
 
 // False: an inertia was not positive.
@@ -351,6 +352,8 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     const auto index = static_cast<Eigen::Index>(j);
     joints_[j].begin(configuration_.q[index], configuration_.qd[index], h);
   }
+  motors_.begin(joints_, configuration_.q);
+  const auto speed_of = [&](std::size_t j) { return end_speed(j, h); };
   OtherRobots& others = loose_.robots();
   others.begin(h);
   // Block pivoting (Judice and Pires 1994): all joints that are wrong change piece at once while
@@ -369,7 +372,7 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     solve_.solve(contacts_, h);
     converged_ = solve_.counters().unconverged == before && !solve_.gave_up();
     if (solve_.gave_up()) return true;
-    int wrong = others.wrong(h);
+    int wrong = others.wrong(h) + motors_.wrong(joints_, speed_of);
     std::size_t last = joints_.size();
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (joints_[j].holds(end_speed(j, h))) continue;
@@ -388,6 +391,7 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     } else if (patience > 0) {
       --patience;
     }
+    motors_.approach(joints_, speed_of);
     const bool all = patience > 0;
     if (all || last == joints_.size()) others.approach(h, all);
     if (last == joints_.size()) continue;
@@ -478,18 +482,6 @@ Eigen::Vector3d ArticulatedWorld::com() const noexcept { return body_.momentum()
 
 Eigen::Vector3d ArticulatedWorld::com_velocity() const noexcept {
   return body_.momentum().linear / body_.mass();
-}
-
-double ArticulatedWorld::corner_stiffness(int sole) const noexcept {
-  const ContactParams& params = ground_.sole_params(sole);
-  if (!soft_) return params.stiffness;
-  return soft_->stiffness(ground_.sole_link(sole), params.friction, body_.mass() * kGravity / (2.0 * kSoleCorners));
-}
-
-double ArticulatedWorld::corner_damping(int sole, double force) const noexcept {
-  const ContactParams& params = ground_.sole_params(sole);
-  if (soft_) return soft_->damping(ground_.sole_link(sole), params.friction, force);
-  return damping_at(params, force / params.stiffness);
 }
 
 }  // namespace twinbus::sim

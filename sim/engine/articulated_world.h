@@ -34,6 +34,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/contact/soft_contact.h"
 #include "sim/articulated/joint_law.h"
+#include "sim/motors/motor_limits.h"
 #include "sim/objects/rigid_objects.h"
 #include "sim/contact/ties.h"
 #include "sim/world/world.h"
@@ -153,6 +154,7 @@ class ArticulatedWorld final : public World {
   ContactSolve solve_;
   FlightMotion flight_;
   std::vector<JointLaw> joints_;
+  MotorLimits motors_;  // of joints that share them
   std::vector<JointRow> rows_;
   std::vector<Contact> contacts_;
   std::vector<ContactPoint> reported_;

@@ -36,7 +36,11 @@ Solid solid_of(const Shape& shape) noexcept {
 }  // namespace
 
 OdeRobot::OdeRobot(const Model& m, const WorldConfig& c)
-    : model(m), config(c), never(m), configuration(m), start_of_step(m), kinematics(m) {
+    : model(m),
+      config(c),
+      pairs(parallel_joints_of(m)),
+      never(m),
+      configuration(m), start_of_step(m), kinematics(m), solves_(pairs.size()) {
   check_links(model, config.fixed_base);
   read_hulls();
   if (config.contact == ContactModel::kPatch) {

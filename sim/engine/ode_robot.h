@@ -10,11 +10,13 @@
 #include <optional>
 #include <vector>
 
+#include "robot/description/parallel_joints.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/contact/contact_law.h"
 #include "sim/contact/link_patches.h"
 #include "sim/contact/sole_patches.h"
 #include "sim/engine/ode_mesh.h"
+#include "sim/motors/pair_solve.h"
 #include "sim/world/link_pairs.h"
 #include "sim/world/world.h"
 
@@ -40,6 +42,8 @@ struct OdeJoint {
   bool bounded = false;  // servo and rotor in separate rows, the servo's with its limit
   double play = 0.0;     // servo side minus link side [rad], backlash
   double tau = 0.0;
+  bool taken = false;  // the torque that is given instead of the servo's own: of joints that share motors
+  double given = 0.0;
 };
 
 struct OdeGeom {
@@ -79,6 +83,8 @@ struct OdeRobot {
   // Servo torques of the step just made; true if a joint without a bounded row went beyond its
   // limit.
   bool read_torques() noexcept;
+  // Of joints that two motors turn over rods, limited at the motors as sim/motors/motor_limits.h does; true if another pass is needed.
+  bool limit_pairs() noexcept;
   void update_play() noexcept;
 
   const Model& model;
@@ -88,6 +94,7 @@ struct OdeRobot {
   std::vector<double> link_mass;
   double total_mass = 0.0;
   std::vector<OdeJoint> joints;
+  std::vector<ParallelJoints> pairs;  // of joints that share motors
   std::vector<OdeGeom> geoms;
   std::array<std::array<double, kSoleCorners>, 2> offset{};
   LinkPairs never;  // touch one another
@@ -99,6 +106,8 @@ struct OdeRobot {
   Kinematics kinematics;
 
  private:
+  std::vector<PairSolve> solves_;  // of the pairs
+  int pair_passes_ = 0;            // of the step
   void read_hulls();
   void create_bodies(dWorldID world);
   void create_geoms();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kStopReach = 20.0;  // speed that a step may add [rad/s or m/s]
 constexpr double kStopErp = 0.2;
+constexpr int kPairPasses = 12;  // of a step, at most, for joints that share motors
 
 struct Params {  // ODE numbers the parameters of axis 0, 1, 2 in groups of dParamGroup
   static int of(int parameter, int axis) { return parameter + axis * dParamGroup; }
@@ -59,6 +60,7 @@ void OdeRobot::add_joint(int index, dWorldID world) {
   OdeJoint& to = joints[at];
   to.prismatic = from.kind == JointKind::kPrismatic;
   to.limit = from.effort > 0.0 && std::isfinite(from.effort) ? from.effort : 0.0;
+  if (pair_with(pairs, index) != nullptr) to.limit = dInfinity;  // the motors have limits
   to.rotor = from.rotor_inertia;
   to.damping = from.damping * config.friction_scale;
   to.friction = coulomb_friction(from, config);
@@ -124,13 +126,13 @@ void OdeRobot::prepare_rows() noexcept {
 void OdeRobot::prepare_joint(OdeJoint& joint, double q, double qd) noexcept {
   const ServoTarget& t = joint.target;
   const double h = config.step;
-  const double servo_gain = h * t.kp + t.kd;
+  const double servo_gain = joint.taken ? 0.0 : h * t.kp + t.kd;
   // Coulomb friction as damping of the magnitude it has at the present speed: below kStickSpeed it
   // creeps.
   const double friction_gain = joint.friction / std::max(std::abs(qd), kStickSpeed);
   const double passive_gain = joint.rotor / h + joint.damping + friction_gain;
   const double passive_force = joint.rotor / h * qd;
-  double servo_force = t.kp * (t.q - q - joint.play) + t.kd * t.qd + t.tau;
+  double servo_force = joint.taken ? joint.given : t.kp * (t.q - q - joint.play) + t.kd * t.qd + t.tau;
 
   prepare_stop(joint, q, qd);
   if (!(servo_gain > 0.0)) {  // a torque that does not depend on the motion
@@ -173,7 +175,35 @@ bool OdeRobot::read_torques() noexcept {
     }
     joint.tau = std::clamp(asked, -joint.limit, joint.limit);
   }
-  return beyond;
+  return limit_pairs() || beyond;
+}
+
+bool OdeRobot::limit_pairs() noexcept {
+  bool again = false;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    RodPosture posture;
+    if (!pairs[p].drive.at(pairs[p].of(start_of_step.q), posture)) continue;  // beyond its stops: the servo as it is
+    Eigen::Vector2d force, gain, applied;
+    const Eigen::Vector2d qd = pairs[p].of(configuration.qd);  // at the end
+    for (int i = 0; i < 2; ++i) {
+      OdeJoint& joint = joints[static_cast<std::size_t>(pairs[p].joints[static_cast<std::size_t>(i)])];
+      gain[i] = config.step * joint.target.kp + joint.target.kd;
+      force[i] = joint.tau + gain[i] * qd[i];
+      if (joint.taken) joint.tau = joint.given;
+      applied[i] = joint.tau;
+    }
+    if (pair_passes_ == 0) solves_[p].begin(posture.jacobian, pairs[p].drive.torque_limits(), force, gain);
+    if (pair_passes_ == kPairPasses || solves_[p].settled(applied, qd)) continue;
+    const Eigen::Vector2d given = solves_[p].next(applied, qd);
+    for (int i = 0; i < 2; ++i) {
+      OdeJoint& joint = joints[static_cast<std::size_t>(pairs[p].joints[static_cast<std::size_t>(i)])];
+      joint.taken = true;
+      joint.given = given[i];
+    }
+    again = true;
+  }
+  pair_passes_ += again ? 1 : 0;
+  return again;
 }
 
 double OdeRobot::flank(const OdeJoint& joint) const noexcept {
@@ -200,7 +230,9 @@ void OdeRobot::update_play() noexcept {
     // A bounded row costs time: a joint that is well inside its limit again gets the cheap one.
     if (joint.bounded && std::abs(joint.tau) < 0.9 * joint.limit) joint.bounded = false;
     joint.play += kPlayRate * (flank(joint) - joint.play);
+    joint.taken = false;
   }
+  pair_passes_ = 0;
 }
 
 }  // namespace twinbus::sim

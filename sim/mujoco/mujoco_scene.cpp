@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "common/math/index.h"
@@ -78,9 +79,11 @@ void MujocoWorld::find_places() {
     ++found;
   }
   servos_.resize(joints_.size());
+  pairs_ = parallel_joints_of(model_);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const Joint& joint = model_.joints[j];
-    servos_[j].limit = joint.effort;
+    // Joints that share motors are limited there.
+    servos_[j].limit = pair_with(pairs_, static_cast<int>(j)) != nullptr ? std::numeric_limits<double>::infinity() : joint.effort;
     servos_[j].rotor = joint.rotor_inertia;
     servos_[j].damping = joint.damping;
     servos_[j].follows = joint.mimic >= 0;

@@ -6,6 +6,7 @@
 
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/parallel/drive_torque.h"
 
 namespace twinbus::inline sim {
 
@@ -93,6 +94,18 @@ bool MujocoWorld::read_torques() noexcept {
     servo.bounded = !(std::abs(asked) <= servo.limit);
     beyond = beyond || servo.bounded;
     servo.tau = std::clamp(asked, -servo.limit, servo.limit);
+  }
+  // Of joints that two motors turn over rods: what the motors give is both joints' torque of the step, by the speeds of its first pass.
+  for (const ParallelJoints& pair : pairs_) {
+    MujocoServo &first = servos_[at(pair.joints[0])], &second = servos_[at(pair.joints[1])];
+    RodPosture posture;
+    const Eigen::Vector2d q(start_qpos_[joints_[at(pair.joints[0])].q], start_qpos_[joints_[at(pair.joints[1])].q]);
+    if (first.bounded || !pair.drive.at(q, posture)) continue;
+    const LimitedTorque given = limit_at_motors(posture.jacobian, pair.drive.torque_limits(), {first.tau, second.tau});
+    if (!given.limited) continue;
+    first.tau = given.tau[0];
+    second.tau = given.tau[1];
+    first.bounded = second.bounded = beyond = true;
   }
   return beyond;
 }

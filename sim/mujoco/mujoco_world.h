@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "robot/description/parallel_joints.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/mujoco/mjcf_world.h"
 #include "sim/mujoco/mujoco_library.h"
@@ -129,6 +130,7 @@ class MujocoWorld final : public World {
   std::vector<int> bodies_;                  // of links
   std::vector<MjcfText::Geom> geom_owners_;  // by number; link -1: not of the robot
   std::vector<MujocoServo> servos_;
+  std::vector<ParallelJoints> pairs_;  // of joints that share motors
 
   std::vector<double> qpos_, qvel_, forces_, xfrc_, warmstart_, start_qpos_, start_qvel_, start_warmstart_;
   MujocoLibrary::Armatures armatures_;  // of the simulated model

@@ -34,6 +34,7 @@ OtherRobots::OtherRobots(const WorldConfig& config) {
       added.joints.back().set_tau(robot.servos[j].tau);
     }
     for (const PassiveJoint& p : passive_joints_of(model)) added.joints[at(p.joint)].make_spring(p.stiffness, p.rest);
+    added.motors = MotorLimits(model, added.joints);
     added.body.place(added.now);
   }
   if (!robots_.empty()) found_.reserve(kMostContacts);
@@ -65,6 +66,7 @@ void OtherRobots::begin(double h) noexcept {
       const auto index = static_cast<Eigen::Index>(j);
       robot.joints[j].begin(robot.now.q[index], robot.now.qd[index], h);
     }
+    robot.motors.begin(robot.joints, robot.now.q);
   }
 }
 
@@ -94,11 +96,13 @@ int OtherRobots::wrong(double h) const noexcept {
   int count = 0;
   for (const Robot& robot : robots_) {
     for (std::size_t j = 0; j < robot.joints.size(); ++j) count += holds(robot, j, h) ? 0 : 1;
+    count += robot.motors.wrong(robot.joints, [&](std::size_t j) { return end_speed(robot, j, h); });
   }
   return count;
 }
 
 void OtherRobots::approach(double h, bool all) noexcept {
+  for (Robot& robot : robots_) robot.motors.approach(robot.joints, [&](std::size_t j) { return end_speed(robot, j, h); });
   for (std::size_t r = robots_.size(); r-- > 0;) {
     Robot& robot = robots_[r];
     for (std::size_t j = robot.joints.size(); j-- > 0;) {
@@ -175,6 +179,7 @@ double OtherRobots::extrapolate(int order) noexcept {
 std::uint64_t OtherRobots::pattern(std::uint64_t pattern) const noexcept {
   for (const Robot& robot : robots_) {
     for (const JointLaw& joint : robot.joints) pattern = mix(pattern, joint.pattern());
+    pattern = robot.motors.pattern(pattern);
   }
   return pattern;
 }

@@ -15,6 +15,7 @@
 #include "sim/contact/contact_solve.h"
 #include "sim/contact/ground_contacts.h"
 #include "sim/articulated/joint_law.h"
+#include "sim/motors/motor_limits.h"
 #include "sim/world/world.h"
 
 namespace twinbus::inline sim {
@@ -63,6 +64,7 @@ class OtherRobots {
     std::vector<JointRow> rows;
     Configuration now, start, fine;
     std::array<Configuration, 2> coarse;
+    MotorLimits motors{};  // of joints that share them
   };
 
   static bool holds(const Robot& robot, std::size_t joint, double h) noexcept;
