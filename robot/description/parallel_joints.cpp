@@ -14,31 +14,31 @@ namespace twinbus::inline robot {
 
 namespace {
 
-constexpr double kFar = 10.0;            // [m]
+constexpr double kMostFar = 10.0;        // [m]
 constexpr double kShortest = 1e-3;       // crank or rod [m]
 constexpr double kLeastRange = 0.02;     // of a joint [rad]
 constexpr double kAnySpeed = 1e3;        // of a joint without a limit of its own [rad/s]
 constexpr double kDrawnIn = 1e-3;        // that is worth a word [rad]
 
-Eigen::Vector3d point_of(const ConfigNode& node, const std::string& key) {
+Eigen::Vector3d motor_point(const ConfigNode& node, const std::string& key) {
   const std::vector<double> v = node.numbers(key, 3);
   const Eigen::Vector3d point(v[0], v[1], v[2]);
-  if (!(point.allFinite() && point.cwiseAbs().maxCoeff() <= kFar)) node.fail(key, "must be within 10 m");
+  if (!(point.allFinite() && point.cwiseAbs().maxCoeff() <= kMostFar)) node.fail(key, "must be within 10 m");
   return point;
 }
 
 RodMotor read_motor(const ConfigNode& node) {
   RodMotor motor;
   motor.name = node.text("name");
-  motor.center = point_of(node, "crank");
-  motor.axis = point_of(node, "axis");
+  motor.center = motor_point(node, "crank");
+  motor.axis = motor_point(node, "axis");
   if (!(motor.axis.norm() > 1e-6)) node.fail("axis", "must be a direction, as [0, 1, 0]");
   motor.axis.normalize();
-  motor.arm = point_of(node, "arm");
+  motor.arm = motor_point(node, "arm");
   const Eigen::Vector3d crank = motor.arm - motor.center;
   if (!((crank - crank.dot(motor.axis) * motor.axis).norm() >= kShortest))
     node.fail("arm", "must be at least 1 mm from the motor's axis, which leads through crank");
-  motor.rod = point_of(node, "rod");
+  motor.rod = motor_point(node, "rod");
   const double reduction = node.number("reduction", 1e-3, 1e4, 1.0);
   motor.torque = reduction * node.number("torque", 1e-3, 1e5);
   motor.speed = node.number("speed", 1e-3, 1e5) / reduction;
