@@ -7,6 +7,7 @@
 #include <cstring>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "common/process/process.h"
 #include "common/text/formatted.h"
@@ -29,8 +30,11 @@ namespace twinbus::inline control {
 class GamepadArm {
  public:
   GamepadArm(const Model& model, std::int64_t id) : model_(model), estimator_(model), id_(id), joint_(model) {
-    target_.choose(hand_of(model, 0) == &model.hands[1] ? ArmSide::kRight : ArmSide::kLeft);
+    for (const Hand* hand : hands_of(model)) sides_.push_back(side_of(*hand));
+    if (!sides_.empty()) target_.choose(sides_.front());
   }
+  // That an operator may choose, in their order.
+  const std::vector<ArmSide>& sides() const { return sides_; }
 
   void listen(Bus& bus) {
     bus.listen<&HandTarget::on_path>(channel::kArmPath, target_);
@@ -45,8 +49,8 @@ class GamepadArm {
     known_ = fresh && state.model_hash == model_.hash && state.joint_count == model_.bus_count();
     const HandMove by = teleop.take_hand_move();
     const double joint_by = teleop.take_joint_move();
-    const Hand* hand = hand_of(model_, teleop.hand() == ArmSide::kLeft ? 0 : 1);
-    target_.choose(hand == &model_.hands[1] ? ArmSide::kRight : ArmSide::kLeft);
+    const Hand* hand = hand_of(model_, number_of(teleop.hand()));
+    if (hand != nullptr) target_.choose(side_of(*hand));
     const bool holds = teleop.holding() && known_ && state.stop_kind == StopKind::kNone;
     if (!holds) {
       if (held_) stop();
@@ -111,19 +115,19 @@ class GamepadArm {
   }
   std::string words(const RobotState& state) const {
     if (known_ && joint_shown_) return joint_.words(state);
-    const char* side = target_.side() == ArmSide::kLeft ? "left" : "right";
+    const std::string side = spoken();
     const Eigen::Vector3d& at = target_.wanted();
     switch (target_.phase()) {
       case HandTarget::Phase::kAsked:
       case HandTarget::Phase::kGoing:
-        return formatted("%s hand to %.2f %.2f %.2f", side, at.x(), at.y(), at.z());
+        return formatted("%s to %.2f %.2f %.2f", side.c_str(), at.x(), at.y(), at.z());
       case HandTarget::Phase::kRefused:
-        return std::string(side) + " hand: " + (target_.unanswered() ? "no planner answers" : "no way there");
+        return side + ": " + (target_.unanswered() ? "no planner answers" : "no way there");
       case HandTarget::Phase::kIdle:
         break;
     }
     if (!heard_) return "";
-    return known_ ? std::string(side) + " hand" : "hands of another robot: --robot says which";
+    return known_ ? side : "hands of another robot: --robot says which";
   }
 
  private:
@@ -131,6 +135,13 @@ class GamepadArm {
 
   static constexpr double kAnswers = 2.0;     // [s] after a wish, what others tell is of it
 
+  ArmSide side_of(const Hand& hand) const { return static_cast<ArmSide>(number_of(model_, hand) + 1); }
+  // Of the hand that is moved.
+  std::string spoken() const {
+    const Hand* hand = hand_of(model_, number_of(target_.side()));
+    if (hand == nullptr) return "no hand";
+    return target_.side() == ArmSide::kLeft || target_.side() == ArmSide::kRight ? hand->name + " hand" : "arm " + hand->name;
+  }
   void choose_joint(int step) {
     joint_.choose(step);
     joint_shown_ = true;
@@ -170,6 +181,7 @@ class GamepadArm {
   const Model& model_;
   Estimator estimator_;
   std::int64_t id_;
+  std::vector<ArmSide> sides_;
   HandTarget target_;
   JointTarget joint_;
   std::string sentence_;

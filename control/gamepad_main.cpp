@@ -208,6 +208,7 @@ void run(const Arguments& options) {
   VirtualPad virtual_pad;
   PadScript script;
   Teleop teleop(id, options.keyboard);
+  teleop.set_hands(arm.sides());
   Requests requests(id);
   PadInput input;
 

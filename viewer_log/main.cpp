@@ -17,6 +17,7 @@
 #include "lcmtypes/bus/node.h"
 #include "lcmtypes/bus/outgoing.h"
 #include "robot/description/load.h"
+#include "robot/description/named_hands.h"
 #include "common/file/beside_program.h"
 #include "common/process/oom_priority.h"
 #include "common/process/options.h"
@@ -307,7 +308,7 @@ class Viewer {
           view_.drawn_from_estimated(now) * view_.estimator().ground_in_world();
       const Eigen::Vector3d at = ground.inverse() * Eigen::Vector3d(request.at.data());
       goal.kind = ArmGoalKind::kPosition;
-      goal.side = request.side;
+      goal.side = static_cast<ArmSide>(number_of(model_, *hand_called(model_, request.hand)) + 1);  // page_inbox.h has looked
       goal.goal_id = random_id();
       goal.position = {at.x(), at.y(), at.z()};
       goal.speed = kReachSpeed;

@@ -56,7 +56,7 @@ class RobotAdaptor {
   virtual const SimTruth* truth() const { return nullptr; }
   // Simulators: bodies that nothing holds, where they are now, world.  How many pieces there are; fills one of them.
   virtual int loose(int /*piece*/, ObstaclesPiece&) const { return 0; }
-  // Simulators: what the left (0) or right (1) hand grips now, as on HELD; scene_id is another whenever that changes.  False:
+  // Simulators: what the hand of that number (0 left, 1 right, then the further arms) grips now, as on HELD; scene_id is another whenever that changes.  False:
   // its scene has that hand grip nothing at any time.
   virtual bool held(int /*hand*/, ObstaclesPiece&) const { return false; }
   // Simulators: a force on a link for a while from now on; force: world [N], point: in the frame of the link [m].

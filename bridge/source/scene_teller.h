@@ -11,6 +11,7 @@
 
 #include "bridge/adaptor/adaptor.h"
 #include "lcmtypes/msg/messages.h"
+#include "robot/description/model.h"
 
 namespace twinbus::inline bridge {
 
@@ -57,7 +58,7 @@ class SceneTeller {
   template <class On>
   void tell_held(std::int64_t now_ns, const RobotAdaptor& adaptor, On& on) noexcept {
     ObstaclesPiece piece;
-    for (int hand = 0; hand < 2; ++hand) {
+    for (int hand = 0; hand < kMostHands; ++hand) {
       if (!adaptor.held(hand, piece)) continue;
       Held& told = held_[static_cast<std::size_t>(hand)];
       const bool same = piece.scene_id == told.scene_id;
@@ -80,7 +81,7 @@ class SceneTeller {
   struct Held {
     std::int64_t scene_id = 0, next_ns = 0;
   };
-  std::array<Held, 2> held_{};
+  std::array<Held, kMostHands> held_{};
   ObstaclesPiece loose_;
   int loose_piece_ = 0, loose_pieces_ = 0;
 };

@@ -71,8 +71,8 @@ constexpr std::array<ButtonRow, 10> kButtons{{
     {kPadX, TeleopAction::kSway, true, "X", "sway from side to side"},
     {kPadY, TeleopAction::kSquat, true, "Y", "squat up and down"},
     {kPadDown, TeleopAction::kHold, true, "cross down", "hold the posture"},
-    {kPadLeft, TeleopAction::kLeftHand, true, "cross left", "the left hand is the one to move"},
-    {kPadRight, TeleopAction::kRightHand, true, "cross right", "the right hand is the one to move"},
+    {kPadLeft, TeleopAction::kLeftHand, true, "cross left", "the left hand is the one to move, or the arm before this one"},
+    {kPadRight, TeleopAction::kRightHand, true, "cross right", "the right hand is the one to move, or the arm after this one"},
 }};
 
 struct KeyRow {
@@ -104,7 +104,7 @@ constexpr std::array<KeyRow, 20> kKeys{{
     {'4', 0, nullptr, 0, TeleopAction::kHold, "4", "hold the posture"},
     {'5', 0, nullptr, 0, TeleopAction::kWalk, "5",
      "walk: w s a d then walk, j l turn; 1 stands again"},
-    {'h', 0, nullptr, 0, TeleopAction::kOtherHand, "h", "the other hand is the one to move"},
+    {'h', 0, nullptr, 0, TeleopAction::kOtherHand, "h", "the next hand is the one to move"},
     {']', 0, nullptr, 0, TeleopAction::kNextJoint, "]", "the next joint is the one to move"},
     {'[', 0, nullptr, 0, TeleopAction::kPreviousJoint, "[", "the joint before it"},
     {'q', 3, nullptr, 0, TeleopAction::kQuit, "q, Ctrl-C", "let go and quit"},
@@ -309,6 +309,13 @@ bool Teleop::take_hold() noexcept {
 
 HandMove Teleop::take_hand_move() noexcept { return std::exchange(hand_move_, {}); }
 
+void Teleop::set_hands(std::span<const ArmSide> hands) noexcept {
+  if (hands.empty()) return;
+  hand_count_ = std::min(hands.size(), hands_.size());
+  std::copy_n(hands.begin(), hand_count_, hands_.begin());
+  hand_ = hands_.front();
+}
+
 double Teleop::take_joint_move() noexcept { return std::exchange(joint_move_, 0.0); }
 
 void Teleop::act(TeleopAction action) noexcept {
@@ -327,10 +334,10 @@ void Teleop::act(TeleopAction action) noexcept {
     joint_move_ = 0.0;
   }
   if (changes_mode(action)) centre_first_ = true;
-  if (action == TeleopAction::kOtherHand)
-    hand_ = hand_ == ArmSide::kLeft ? ArmSide::kRight : ArmSide::kLeft;
-  if (action == TeleopAction::kLeftHand) hand_ = ArmSide::kLeft;
-  if (action == TeleopAction::kRightHand) hand_ = ArmSide::kRight;
+  const auto here = static_cast<std::size_t>(std::find(hands_.begin(), hands_.begin() + hand_count_, hand_) - hands_.begin());
+  if (action == TeleopAction::kOtherHand) hand_ = hands_[(here + 1) % hand_count_];
+  if (action == TeleopAction::kLeftHand && here > 0) hand_ = hands_[here - 1];
+  if (action == TeleopAction::kRightHand && here + 1 < hand_count_) hand_ = hands_[here + 1];
   if (action == TeleopAction::kQuit) let_go();
   // A stop is never lost to a full list: it takes the last place.
   if (action_count_ == static_cast<int>(actions_.size())) {

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "lcmtypes/msg/messages.h"
@@ -87,6 +89,8 @@ class Teleop {
   // Of the chosen joint, since the last call: so long at the speed of a joint that is jogged, either way [s].
   double take_joint_move() noexcept;
   ArmSide hand() const noexcept { return hand_; }
+  // Those that kOtherHand, kLeftHand and kRightHand step through, at most eight; the first is the one to move.  Without: left and right.
+  void set_hands(std::span<const ArmSide> hands) noexcept;
   // The next thing asked for besides the axes; kNone when there is nothing more.
   TeleopAction take_action() noexcept;
 
@@ -111,6 +115,8 @@ class Teleop {
   std::int64_t last_key_ns_ = 0;
   std::int64_t run_id_ = 0;
   ArmSide hand_ = ArmSide::kLeft;
+  std::array<ArmSide, 8> hands_{ArmSide::kLeft, ArmSide::kRight};
+  std::size_t hand_count_ = 2;
   HandMove hand_move_;
   double joint_move_ = 0.0;  // [s]
   std::array<TeleopAction, 16> actions_{};

@@ -25,6 +25,7 @@
 #include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
+#include "robot/description/named_hands.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/lint/model_lint.h"
@@ -148,9 +149,10 @@ json report(const Model& model, const Extent& extent, const Model& gains) {
   return out;
 }
 
-void print_gripper(const Model& model, const Gripper& gripper, int side) {
+void print_gripper(const Model& model, const Hand& hand) {
+  const Gripper gripper = gripper_of(model, hand);
   if (gripper.joints.empty()) return;
-  std::printf("%s gripper:", side == 0 ? "left" : "right");
+  std::printf("%s gripper:", hand.name.c_str());
   for (std::size_t i = 0; i < gripper.joints.size(); ++i) {
     std::printf("%s %s %.3f closed, %.3f open", i == 0 ? "" : ",", model.joints[at(gripper.joints[i])].name.c_str(),
                 gripper.closed[i], gripper.open[i]);
@@ -174,11 +176,13 @@ void print_limbs(const Model& model) {
       for (const int j : hand.carriers) carriers += (carriers.empty() ? ", carried by " : ", ") + model.joints[at(j)].name;
       std::printf("%s hand on %s: arm of %zu joints%s\n", name,
                   model.links[at(hand.link)].name.c_str(), hand.joints.size(), carriers.c_str());
-      print_gripper(model, model.grippers[at(side)], side);
+      print_gripper(model, hand);
     }
   }
-  for (const Hand& arm : model.more_hands)
+  for (const Hand& arm : model.more_hands) {
     std::printf("%s on %s: arm of %zu joints\n", arm.name.c_str(), model.links[at(arm.link)].name.c_str(), arm.joints.size());
+    print_gripper(model, arm);
+  }
   if (!model.yaml_text.empty() && stands_on_points(model)) {
     const StandingFeet feet(model);
     std::string names;

@@ -11,11 +11,14 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/operate/asked_hand.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/messages.h"
+#include "robot/collision/obstacle_collector.h"
 #include "robot/description/model.h"
 #include "robot/description/load.h"
+#include "robot/description/named_hands.h"
 
 namespace twinbus::inline launcher {
 
@@ -36,18 +39,9 @@ ObstaclesPiece nothing(std::int16_t hand) {
   ObstaclesPiece piece;
   piece.scene_id = random_id();
   piece.piece = hand;
-  piece.pieces = 2;
+  piece.pieces = held_pieces(hand);
   piece.attitude.fill({1.0F, 0.0F, 0.0F, 0.0F});
   return piece;
-}
-
-// 0 or 1, of a hand that the robot has.
-std::int16_t hand_from(const Arguments& arguments, const std::string& command, const Model& model) {
-  const std::string side = arguments.word(0);
-  if (side != "left" && side != "right") throw UsageError(command + ": which hand? say left or right, not " + side);
-  const Hand* hand = hand_of(model, side == "left" ? 0 : 1);
-  if (hand == nullptr) throw std::runtime_error(command + ": " + model.name + " has no hand (robot.yaml, hands)");
-  return hand == &model.hands[0] ? 0 : 1;
 }
 
 void put_shape(const Arguments& arguments, ObstaclesPiece& piece) {
@@ -128,15 +122,18 @@ class Teller {
 }  // namespace
 
 int attach_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"attach", 3, 8, R"(left|right box LX LY LZ|sphere RADIUS|cylinder RADIUS LENGTH [X Y Z]
+  const Arguments arguments({"attach", 3, 8, R"(left|right|ARM box LX LY LZ|sphere RADIUS|cylinder RADIUS LENGTH [X Y Z]
 Tells planner and guard that a hand holds this: it moves with the hand and is kept clear of the robot and of obstacles, but not \
-of that hand. Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or ./twinbus release, then the hand is empty.
+of that hand. ARM: of a robot with other arms the name of one (robot.yaml, hands). \
+Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or ./twinbus release, then the hand is empty.
   --for S  so many seconds instead
   --robot --prefix --url --allow)"}, words);
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
-  const std::int16_t hand = hand_from(arguments, "attach", model);
-  const char* side = hand == 0 ? "left" : "right";
+  const Hand& arm = asked_hand("attach", model, arguments.word(0));
+  const auto hand = static_cast<std::int16_t>(number_of(model, arm));
+  const std::string name = spoken_name(model, arm);
+  const char* called = name.c_str();
   ObstaclesPiece piece = nothing(hand);
   put_shape(arguments, piece);
   const double seconds = arguments.number("--for", 1e9, 0.1, 1e9);
@@ -144,12 +141,12 @@ of that hand. Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or 
   teller.find_robot();
   teller.listen(1.2 * kAgain);
   if (teller.holds()) {
-    throw std::runtime_error(std::string("the ") + side + " hand holds something already, as another program says: ./twinbus release " +
-                             side + ", then ask again");
+    throw std::runtime_error(name + " holds something already, as another program says: ./twinbus release " +
+                             arm.name + ", then ask again");
   }
   teller.forget_others();
   teller.say_often(piece);
-  print_typed(stdout, "the %s hand holds a %s; Ctrl-C or ./twinbus release %s lets it go\n", side, arguments.word(1).c_str(), side);
+  print_typed(stdout, "%s holds a %s; Ctrl-C or ./twinbus release %s lets it go\n", called, arguments.word(1).c_str(), arm.name.c_str());
   std::fflush(stdout);
   const std::int64_t begin = monotonic_ns();
   for (std::int64_t said = begin; !quit_requested() && !teller.others() && seconds_since(begin) < seconds;) {
@@ -158,22 +155,23 @@ of that hand. Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or 
     said = monotonic_ns();
     teller.say(piece);
   }
-  if (teller.holds()) throw std::runtime_error(std::string("another program says what the ") + side + " hand holds now");
+  if (teller.holds()) throw std::runtime_error("another program says what " + name + " holds now");
   if (!teller.others()) {
     ObstaclesPiece empty = nothing(hand);
     for (int i = 0; i < kRepeats; ++i) teller.say(empty);
   }
-  print_typed(stdout, "the %s hand is empty\n", side);
+  print_typed(stdout, "%s is empty\n", called);
   return 0;
 }
 
 int release_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"release", 1, 1, R"(left|right
+  const Arguments arguments({"release", 1, 1, R"(left|right|ARM
 Tells planner and guard that the hand is empty, whoever told them what it holds.
   --robot --prefix --url --allow)"}, words);
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
-  const std::int16_t hand = hand_from(arguments, "release", model);
+  const Hand& arm = asked_hand("release", model, arguments.word(0));
+  const auto hand = static_cast<std::int16_t>(number_of(model, arm));
   Teller teller(model, bus_options(arguments), hand);
   teller.find_robot();
   ObstaclesPiece empty = nothing(hand);
@@ -182,7 +180,7 @@ Tells planner and guard that the hand is empty, whoever told them what it holds.
   teller.listen(1.2 * kAgain);
   if (teller.holds())
     throw std::runtime_error("another program goes on saying that the hand holds something: end it, or let its scene let go");
-  print_typed(stdout, "the %s hand is empty\n", hand == 0 ? "left" : "right");
+  print_typed(stdout, "%s is empty\n", spoken_name(model, arm).c_str());
   return 0;
 }
 

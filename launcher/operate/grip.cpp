@@ -3,7 +3,6 @@
 #include "launcher/commands/commands.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -14,9 +13,11 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/xml.h"
+#include "launcher/operate/asked_hand.h"
 #include "launcher/operate/operate.h"
 #include "robot/description/model.h"
 #include "robot/description/load.h"
+#include "robot/description/named_hands.h"
 
 namespace twinbus::inline launcher {
 
@@ -30,17 +31,17 @@ using Grippers = std::vector<Gripper>;
 
 // Those that are meant; throws when there is none.
 Grippers grippers_asked_for(const Arguments& arguments, const Model& model) {
-  std::array<Gripper, 2> grippers = model.grippers;
   const std::string side = arguments.text("--side", "");
-  if (!side.empty()) {
-    if (side != "left" && side != "right") throw UsageError("grip: --side is left or right, not " + side);
-    const Hand* hand = hand_of(model, side == "left" ? 0 : 1);
-    grippers[hand == &model.hands[0] ? 1 : 0] = {};
-  }
+  const Hand* only = side.empty() ? nullptr : &asked_hand("grip: --side", model, side);
   Grippers meant;
-  for (const Gripper& gripper : grippers) {
-    if (!gripper.joints.empty()) meant.push_back(gripper);
+  std::string others;
+  for (const Hand* hand : hands_of(model)) {
+    const Gripper gripper = gripper_of(model, *hand);
+    if (gripper.joints.empty()) continue;
+    if (only == nullptr || hand == only) meant.push_back(gripper);
+    else others += (others.empty() ? "" : ", ") + hand->name;
   }
+  if (meant.empty() && !others.empty()) throw std::runtime_error(model.name + ": " + side + " has no gripper (robot.yaml, grippers); there is one on: " + others);
   if (meant.empty())
     throw std::runtime_error(model.name + " has no " + (side.empty() ? "" : side + " ") + "gripper (robot.yaml, grippers); --robot names another robot");
   return meant;
@@ -99,7 +100,7 @@ int grip_command(const std::vector<std::string>& words) {
   const Arguments arguments({"grip", 1, 1, R"(open|close|SHARE
 Opens or closes the fingers of a hand as one, or so far: 0 is closed, 1 open (robot.yaml, grippers).  They move no faster than \
 a pose, and stop at what they grip; an arm that is on its way stops.
-  --side S  left or right; default all
+  --side S  left, right, or the name of an arm (robot.yaml, hands); default all
   --robot
   --duration S  seconds; default 0.5
   --prefix --url --allow)"}, words);

@@ -18,8 +18,8 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
-#include "common/text/closest_name.h"
 #include "common/text/printable.h"
+#include "launcher/operate/asked_hand.h"
 #include "launcher/operate/reach_goal.h"
 #include "launcher/operate/reach_progress.h"
 #include "launcher/bus/bus_link.h"
@@ -172,21 +172,8 @@ struct Wish {
   std::optional<Eigen::Isometry3d> in_ground;  // of the tool, once the frame was seen; ever anew where it stands still
 };
 
-const Hand* hand_called(const Model& model, const std::string& name) {
-  const auto is_it = [&](const Hand& hand) { return hand.name == name; };
-  const auto found = std::find_if(model.more_hands.begin(), model.more_hands.end(), is_it);
-  if (found != model.more_hands.end()) return &*found;
-  if (name != "left" && name != "right") {
-    throw UsageError("reach: which hand? say left or right" + (model.more_hands.empty() ? std::string() : ", or the name of an arm") +
-                     ", not " + name + suggestion(name, model.more_hands));
-  }
-  const Hand* hand = hand_of(model, name == "left" ? 0 : 1);
-  if (hand == nullptr) throw std::runtime_error(model.name + " has no " + name + " hand (robot.yaml, hands)");
-  return hand;
-}
-
 Wish wish_from(const Arguments& arguments, const Model& model, ArmGoal& goal) {
-  const Hand* hand = hand_called(model, arguments.word(0));
+  const Hand* hand = &asked_hand("reach", model, arguments.word(0));
   goal.side = static_cast<ArmSide>(number_of(model, *hand) + 1);
   const std::size_t count = arguments.words().size();
   if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");

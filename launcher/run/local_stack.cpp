@@ -136,7 +136,7 @@ void OneProcess::take_obstacles() {
 // What the simulated hands grip and let go.
 void OneProcess::tell_held() {
   ObstaclesPiece piece;
-  for (const int hand : {0, 1}) {
+  for (int hand = 0; hand < kMostHands; ++hand) {
     if (!sim_.held(hand, piece) || piece.scene_id == told_held_[static_cast<std::size_t>(hand)]) continue;
     told_held_[static_cast<std::size_t>(hand)] = piece.scene_id;
     say_held(piece);

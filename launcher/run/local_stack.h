@@ -160,7 +160,7 @@ class OneProcess {
   std::unique_ptr<ControlLoop> loop_;
   Estimator planner_view_;
   ObstacleCollector obstacles_;
-  std::array<std::int64_t, 2> told_held_{};  // scene_id of each hand
+  std::array<std::int64_t, kMostHands> told_held_{};  // scene_id of each hand
   std::unique_ptr<ArmPlanner> planner_;  // with the first goal
   SceneScript script_;
   StateHash hash_;

@@ -22,7 +22,6 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 2> kSides = {"left", "right"};
 constexpr std::array<const char*, 4> kEdges = {"front", "back", "left", "right"};
 constexpr double kFinest = 1e-9;  // a place or angle below this is none [m, rad]
 
@@ -82,19 +81,18 @@ void refuse_other_keys(const Json& json, const std::string& what, std::initializ
 void put_limbs(const Json& limbs, const char* key, YAML::Node yaml) {
   const auto found = limbs.find(key);
   if (found == limbs.end()) return;
-  refuse_other_keys(*found, key, {"left", "right"});
   const bool soles = std::string(key) == "soles";
-  for (const char* side : kSides) {
-    const auto limb = found->find(side);
-    if (limb == found->end()) continue;
+  if (soles) refuse_other_keys(*found, key, {"left", "right"});
+  else if (!found->is_object()) refuse_change(std::string(key) + " must be an object");
+  for (const auto& [side, limb] : found->items()) {
     const std::string what = std::string(key) + ": " + side;
-    if (soles) refuse_other_keys(*limb, what, {"frame", "at", "rpy", "front", "back", "left", "right"});
-    else refuse_other_keys(*limb, what, {"frame", "at", "rpy"});
+    if (soles) refuse_other_keys(limb, what, {"frame", "at", "rpy", "front", "back", "left", "right"});
+    else refuse_other_keys(limb, what, {"frame", "at", "rpy"});
     if (!yaml[key] || !yaml[key][side]) refuse_change(what + ": the robot has none");
     YAML::Node node = yaml[key][side];
-    put_place(*limb, what, node);
+    put_place(limb, what, node);
     for (const char* edge : kEdges) {
-      if (const auto length = limb->find(edge); length != limb->end()) node[edge] = number_text(*length, what + ": " + edge);
+      if (const auto length = limb.find(edge); length != limb.end()) node[edge] = number_text(*length, what + ": " + edge);
     }
   }
 }

@@ -12,11 +12,14 @@
 
 namespace twinbus::inline robot {
 
+// Of HELD: how many pieces a message about that hand says there are.
+constexpr std::int16_t held_pieces(int hand) noexcept { return hand < 2 ? 2 : kMostHands; }
+
 class ObstacleCollector {
  public:
   ObstacleCollector() {
     coming_.reserve(kMostPieces * kObstaclesPerPiece);
-    obstacles_.reserve((kMostPieces + 2) * kObstaclesPerPiece);
+    obstacles_.reserve((kMostPieces + kMostHands) * kObstaclesPerPiece);
   }
 
   // True when a scene other than the last became complete.  Allocates nothing.
@@ -46,10 +49,10 @@ class ObstacleCollector {
     return complete_;
   }
 
-  // Piece 0 is all that the left hand holds, piece 1 the right one; nothing, when it has no rows.  True when that is other
-  // than the last.  Allocates nothing.
+  // Piece 0 of 2 is all that the left hand holds, piece 1 the right one, piece N of kMostHands the further arm of that number;
+  // nothing, when it has no rows.  True when that is other than the last.  Allocates nothing.
   bool hold(const ObstaclesPiece& piece) noexcept {
-    if (piece.pieces != 2 || piece.piece < 0 || piece.piece > 1 || !counted(piece)) return false;
+    if (piece.piece < 0 || piece.piece >= kMostHands || piece.pieces != held_pieces(piece.piece) || !counted(piece)) return false;
     ObstaclesPiece& held = held_[static_cast<std::size_t>(piece.piece)];
     if (held.scene_id == piece.scene_id) return false;
     held = piece;
@@ -79,7 +82,7 @@ class ObstacleCollector {
 
   void add_held() noexcept {
     obstacles_.resize(standing_);
-    for (int hand = 0; hand < 2; ++hand) {
+    for (int hand = 0; hand < kMostHands; ++hand) {
       const ObstaclesPiece& held = held_[static_cast<std::size_t>(hand)];
       for (std::size_t i = 0; i < static_cast<std::size_t>(held.count); ++i) {
         obstacles_.push_back(obstacle(held, i));
@@ -89,7 +92,7 @@ class ObstacleCollector {
   }
 
   std::vector<Obstacle> coming_, obstacles_;
-  std::array<ObstaclesPiece, 2> held_{};
+  std::array<ObstaclesPiece, kMostHands> held_{};
   std::size_t standing_ = 0;
   std::int64_t scene_ = -1;
   std::uint64_t have_ = 0;

@@ -28,7 +28,8 @@ ThingName thing_name(const Model& model, const std::vector<Obstacle>& obstacles,
     number += !floor && obstacle.hand < 0 ? 1 : 0;
     if (seen++ != index) continue;
     if (floor) is("the floor");
-    else if (obstacle.hand >= 0) is(obstacle.hand == 0 ? "what the left hand holds" : "what the right hand holds");
+    else if (obstacle.hand == 0 || obstacle.hand == 1) is(obstacle.hand == 0 ? "what the left hand holds" : "what the right hand holds");
+    else if (obstacle.hand >= 0) std::snprintf(name.data(), name.size(), "what %s holds", hand_of(model, obstacle.hand)->name.c_str());
     else std::snprintf(name.data(), name.size(), "obstacle %d", number);
     return name;
   }

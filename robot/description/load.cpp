@@ -155,7 +155,8 @@ void apply_yaml(const RobotYaml& yaml, const std::string& file, Model& model) {
   for (const std::string& joint : yaml.leg_joints) {
     model.leg_joints.push_back(need_joint(model, joint, file + ": leg_joints"));
   }
-  model.grippers = read_grippers(yaml, model);
+  const auto grippers = read_grippers(yaml, model);  // of further arms too, which gripper_of reads again
+  std::copy_n(grippers.begin(), model.grippers.size(), model.grippers.begin());
   apply_servos(yaml, model);
   apply_passive(yaml, model);
   apply_parallel_joints(yaml.parallel_joints, model);

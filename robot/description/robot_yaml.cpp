@@ -116,8 +116,8 @@ Tool read_tool(const ConfigNode& node, const std::string& name) {
   return entry;
 }
 
-GripperEntry read_gripper(std::size_t side, const ConfigNode& node) {
-  GripperEntry entry{.side = side, .joints = node.texts("joints"), .open{}, .closed{}, .node = node};
+GripperEntry read_gripper(std::size_t hand, const ConfigNode& node) {
+  GripperEntry entry{.hand = hand, .joints = node.texts("joints"), .open{}, .closed{}, .node = node};
   if (entry.joints.empty()) node.fail("joints", "must name at least one joint");
   entry.open = node.numbers("open", entry.joints.size());
   entry.closed = node.numbers("closed", entry.joints.size());
@@ -139,6 +139,13 @@ ServoEntry read_servo(const ConfigNode& node) {
   if (entry.joints.empty()) node.fail("joints", "must name at least one joint");
   node.finish();
   return entry;
+}
+
+// By their numbers, whether or not the robot has a left and a right one.
+std::vector<std::string> hand_names(const RobotYaml& yaml) {
+  std::vector<std::string> names{kSides[0], kSides[1]};
+  for (const auto& [name, entry] : yaml.more_hands) names.push_back(name);
+  return names;
 }
 
 PassiveEntry read_passive(const ConfigNode& node) {
@@ -230,10 +237,14 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
   }
   if (top.has("grippers")) {
     const ConfigNode grippers = top.map("grippers");
-    for (std::size_t side = 0; side < 2; ++side) {
-      if (grippers.has(kSides[side])) yaml.grippers.push_back(read_gripper(side, grippers.map(kSides[side])));
+    for (const std::string& name : grippers.keys()) {
+      const std::vector<std::string> names = hand_names(yaml);
+      const auto found = std::find(names.begin(), names.end(), name);
+      const auto number = static_cast<std::size_t>(found - names.begin());
+      if (found == names.end() || (number < 2 && !yaml.hands[number].present))
+        grippers.fail(name, "is of a hand that is not under `hands`" + suggestion(name, names));
+      yaml.grippers.push_back(read_gripper(number, grippers.map(name)));
     }
-    grippers.finish();
   }
   if (top.has("mujoco")) {
     const ConfigNode mujoco = top.map("mujoco");
@@ -247,13 +258,12 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
   return yaml;
 }
 
-std::array<Gripper, 2> read_grippers(const RobotYaml& yaml, const Model& model) {
-  std::array<Gripper, 2> grippers;
+std::array<Gripper, kMostHands> read_grippers(const RobotYaml& yaml, const Model& model) {
+  std::array<Gripper, kMostHands> grippers;
   for (const GripperEntry& entry : yaml.grippers) {
-    Gripper& gripper = grippers[entry.side];
+    Gripper& gripper = grippers[entry.hand];
     gripper.open = entry.open;
     gripper.closed = entry.closed;
-    if (model.hands[entry.side].link < 0) entry.node.fail("joints", "are of a hand that is not under `hands`");
     for (std::size_t i = 0; i < entry.joints.size(); ++i) {
       const std::string& name = entry.joints[i];
       const int j = model.find_joint(name);

@@ -55,10 +55,10 @@ struct NearPairEntry {
   std::string where;    // file, line and key
 };
 
-// Of the map `grippers`, one group a hand; joints that follow another (<mimic>) move with it and are not named:
+// Of the map `grippers`, one group a hand, by its name under `hands`; joints that follow another (<mimic>) move with it and are not named:
 //   right: {joints: [finger_joint1], open: [0.04], closed: [0]}   # [rad or m]
 struct GripperEntry {
-  std::size_t side = 0;
+  std::size_t hand = 0;  // its number
   std::vector<std::string> joints;
   std::vector<double> open, closed;  // [rad or m]
   ConfigNode node;
@@ -95,7 +95,7 @@ struct RobotYaml {
 RobotYaml parse_robot_yaml(const std::string& text, const std::string& file);
 // The map `walking`.  Throws std::runtime_error naming file, line and key.
 Walking read_walking(const ConfigNode& node);
-// Of a model whose joints and hands are known: left, right.  Throws std::runtime_error naming file, line and key.
-std::array<Gripper, 2> read_grippers(const RobotYaml& yaml, const Model& model);
+// Of a model whose joints and hands are known, by the number of the hand.  Throws std::runtime_error naming file, line and key.
+std::array<Gripper, kMostHands> read_grippers(const RobotYaml& yaml, const Model& model);
 
 }  // namespace twinbus::robot

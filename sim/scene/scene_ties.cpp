@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "common/math/index.h"
+#include "robot/collision/obstacle_collector.h"
 #include "robot/description/loops.h"
 
 namespace twinbus::inline sim {
@@ -51,8 +52,8 @@ TieEnd end_of(const Model& model, const std::vector<OtherRobot>& robots, const S
 }  // namespace
 
 SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
-                     const Scene& scene)
-    : hands_(model.hands) {
+                     const Scene& scene) {
+  for (const Hand* hand : hands_of(model)) hands_[at(number_of(model, *hand))] = *hand;
   const auto end = [&](const std::string& name, const Eigen::Vector3d& point) {
     return end_of(model, robots, scene, name, point);
   };
@@ -70,8 +71,8 @@ SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
   for (const Grasp& grasp : scene.grasps) {
     Timed timed{.first = static_cast<int>(ties_.size()), .at = grasp.at, .until = grasp.until};
     const TieEnd by = end(grasp.link, grasp.point), gripped = end(grasp.to, Eigen::Vector3d::Zero());
-    for (int hand = 0; hand < 2; ++hand) {
-      if (gripped.loose < 0 || by.robot >= 0 || by.link < 0 || by.link != model.hands[at(hand)].link) continue;
+    for (int hand = 0; hand < kMostHands; ++hand) {
+      if (gripped.loose < 0 || by.robot >= 0 || by.link < 0 || by.link != hands_[at(hand)].link) continue;
       timed.hand = hand;
       timed.body = gripped.loose;
     }
@@ -105,7 +106,7 @@ bool SceneTies::held(int hand, const LoosePieces& loose, ObstaclesPiece& out) co
   out = ObstaclesPiece{};
   out.scene_id = changes_ + 1;
   out.piece = static_cast<std::int16_t>(hand);
-  out.pieces = 2;
+  out.pieces = held_pieces(hand);
   out.attitude.fill({1.0F, 0.0F, 0.0F, 0.0F});
   bool any = false;
   for (const Timed& grasp : grasps_) {

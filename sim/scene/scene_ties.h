@@ -23,7 +23,7 @@ class SceneTies {
   const std::vector<Tie>& ties() const noexcept { return ties_; }
   // At the start of a step at a time of the scene [s]: what is due is gripped or let go.
   void update(double time, World& world) noexcept;
-  // What a hand holds (0 left, 1 right), as on HELD, of the loose bodies; false: no grasp is of this hand.
+  // What a hand holds (by its number), as on HELD, of the loose bodies; false: no grasp is of this hand.
   bool held(int hand, const LoosePieces& loose, ObstaclesPiece& out) const noexcept;
 
  private:
@@ -37,7 +37,7 @@ class SceneTies {
 
   std::vector<Tie> ties_;
   std::vector<Timed> grasps_;
-  std::array<Hand, 2> hands_;
+  std::array<Hand, kMostHands> hands_;  // by their numbers
   std::int64_t changes_ = 0;  // grips and releases so far
 };
 

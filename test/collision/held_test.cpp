@@ -11,6 +11,8 @@
 #include "robot/collision/collision_pairs.h"
 #include "robot/collision/obstacle_collector.h"
 #include "robot/collision/thing_name.h"
+#include "robot/description/named_hands.h"
+#include "test/carried_arms.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
@@ -54,6 +56,40 @@ TEST(Held, EverythingAroundHasAName) {
   cause.link_b = links + 4;
   describe(model, around, cause, text);
   EXPECT_NE(std::string(text.data()).find(" and what the right hand holds, "), std::string::npos) << text.data();
+}
+
+// Further arms have numbers from 2 on; left and right are said as ever, so that who knows no others goes on hearing them.
+TEST(Held, AFurtherArmHoldsByItsNumber) {
+  const Model model = test::three_arms();
+  ObstacleCollector collector;
+  const auto holds = [&](int hand, int pieces, std::int64_t scene) {
+    ObstaclesPiece piece;
+    piece.scene_id = scene;
+    piece.piece = static_cast<std::int16_t>(hand);
+    piece.pieces = static_cast<std::int16_t>(pieces);
+    piece.count = 1;
+    piece.shape[0] = ObstacleShape::kSphere;
+    piece.size[0] = {0.03F, 0.0F, 0.0F};
+    piece.attitude.fill({1.0F, 0.0F, 0.0F, 0.0F});
+    return collector.hold(piece);
+  };
+  EXPECT_EQ(held_pieces(0), 2);
+  EXPECT_EQ(held_pieces(1), 2);
+  EXPECT_FALSE(holds(3, 2, 5));
+  EXPECT_FALSE(holds(1, kMostHands, 5));
+  EXPECT_FALSE(holds(kMostHands, kMostHands, 5));
+  EXPECT_FALSE(holds(-1, 2, 5));
+  EXPECT_TRUE(collector.obstacles().empty());
+  EXPECT_TRUE(holds(3, held_pieces(3), 5));
+  EXPECT_FALSE(holds(3, held_pieces(3), 5)) << "the same once more";
+  ASSERT_EQ(collector.obstacles().size(), 1U);
+  EXPECT_EQ(collector.obstacles().front().hand, 3);
+  EXPECT_EQ(std::string(thing_name(model, collector.obstacles(), model.link_count()).data()), "what north holds");
+  Collision collision(model);
+  const int alone = collision.pair_count();
+  collision.set_obstacles(collector.obstacles());
+  EXPECT_GT(collision.pair_count(), alone) << "it is kept clear of what does not carry it";
+  EXPECT_EQ(collision.carrier(model.link_count()), hand_called(model, "north")->link);
 }
 
 // A fixed base beside the floor or a wall: no joint can mend or worsen that, and nothing is said of it.

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "common/process/arguments.h"
+#include "launcher/operate/asked_hand.h"
 #include "robot/description/load.h"
+#include "robot/description/named_hands.h"
+#include "test/carried_arms.h"
 #include "test/error_of.h"
 
 namespace twinbus {
@@ -15,6 +19,21 @@ Eigen::Isometry3d pose(const Eigen::Vector3d& place, double yaw) {
   pose.translation() = place;
   pose.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   return pose;
+}
+
+// The words of reach, attach, release and grip.
+TEST(AskedHand, IsCalledByItsNameAndAnUnknownOneIsAnsweredWithAll) {
+  const Model three = test::three_arms();
+  EXPECT_EQ(asked_hand("attach", three, "west").name, "west");
+  EXPECT_EQ(spoken_name(three, asked_hand("attach", three, "west")), "arm west");
+  EXPECT_EQ(test::error_of([&] { (void)asked_hand("attach", three, "wset"); }),
+            "attach: three_arms has no arm called wset (did you mean west?); say one of: east, north, west");
+  const Model two = load_robot("hrp1s");
+  EXPECT_EQ(spoken_name(two, asked_hand("attach", two, "left")), "the left hand");
+  EXPECT_THROW((void)asked_hand("attach", two, "tail"), UsageError);
+  Model none = two;
+  none.hands = {};
+  EXPECT_NE(test::error_of([&] { (void)asked_hand("release", none, "left"); }).find("has no hand"), std::string::npos);
 }
 
 // As it stands in half_sitting, turned and away from where it first stood.

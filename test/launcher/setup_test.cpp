@@ -215,6 +215,15 @@ TEST(RobotCopy, ASensorOfTheOldFrameIsLeftOutWithIt) {
   EXPECT_NE(edited_robot_yaml(yaml, R"({"soles": {"left": {"frame": "A"}}})").find("sensor: S"), std::string::npos);
 }
 
+TEST(RobotCopy, ANamedArmIsMovedAsALeftOne) {
+  const std::string yaml = "urdf: r.urdf\nhands:\n  north: {frame: A, at: [0, 0, 0]}\n";
+  EXPECT_NE(edited_robot_yaml(yaml, R"({"hands": {"north": {"frame": "A", "at": [0.1, 0, 0]}}})").find("at: [0.1, 0, 0]"), std::string::npos);
+  for (const char* hands : {R"({"hands": {"south": {"frame": "A"}}})", R"({"hands": {"left": {"frame": "A"}}})"}) {
+    const std::string why = error_of([&] { (void)edited_robot_yaml(yaml, hands); });
+    EXPECT_NE(why.find("the robot has none"), std::string::npos) << why;
+  }
+}
+
 // Meshes of a folder beside the robot's are found from the copy, too.
 TEST(RobotCopy, PackagesAreFoundFromTheCopy) {
   const TemporaryFolder folder;

@@ -147,7 +147,7 @@ def grips(checks, bus, robot):
         checks.that(status == 0 and "of the opening" in out, f"grip {word}: {out}{err}")
         time.sleep(0.3)
         checks.at_most(abs(joint_of(bus, jaw) - place), 0.001, f"grip {word}: the jaw is there [m]")
-    for words, why in ((("nan",), "open, close, or a number"), (("2",), "open, close, or a number"), (("open", "--side", "up"), "left or right")):
+    for words, why in ((("nan",), "open, close, or a number"), (("2",), "open, close, or a number"), (("open", "--side", "up"), "say one of: right")):
         status, _, err = cli("grip", *words, "--robot", robot)
         checks.that(status != 0 and why in err, f"grip {' '.join(words)} is refused: {err}")
     status, _, err = cli("grip", "open", "--robot", "hrp1s")

@@ -2,6 +2,7 @@
 
 #include "common/math/index.h"
 #include "fixtures.h"
+#include "robot/description/named_hands.h"
 #include "test/carried_arms.h"
 
 namespace twinbus::test {
@@ -79,6 +80,24 @@ TEST(PlanarBase, WhatDoesNotFitIsRefusedWithItsPlace) {
   EXPECT_NE(why.find("joint base_x"), std::string::npos) << why;
 }
 
+// The last joint of an arm as if it were a finger.
+TEST(NamedArms, HaveGrippersByTheirNames) {
+  const Model model = three_arms();
+  const auto with = [&](const std::string& gripper) {
+    return load_robot_texts({.folder = ".", .yaml = model.yaml_text + "grippers:\n  " + gripper + "\n", .urdf = model.urdf_text, .srdf = ""});
+  };
+  const Model grips = with("north: {joints: [north_elbow], open: [1.5], closed: [-0.5]}");
+  const Gripper gripper = gripper_of(grips, *hand_called(grips, "north"));
+  EXPECT_EQ(gripper.joints, std::vector<int>{grips.find_joint("north_elbow")});
+  EXPECT_EQ(gripper.open, std::vector<double>{1.5});
+  EXPECT_TRUE(gripper_of(grips, grips.more_hands[0]).joints.empty() && grips.grippers[0].joints.empty());
+  for (const std::string name : {"nroth", "left"}) {
+    const std::string why = error_of([&] { (void)with(name + ": {joints: [north_elbow], open: [1.5], closed: [-0.5]}"); });
+    EXPECT_NE(why.find(name), std::string::npos) << why;
+    EXPECT_NE(why.find("is of a hand that is not under `hands`"), std::string::npos) << why;
+  }
+}
+
 TEST(NamedArms, HaveTheNamesAndNumbersOfTheFile) {
   const Model model = three_arms();
   ASSERT_EQ(model.more_hands.size(), 3U);
@@ -90,6 +109,13 @@ TEST(NamedArms, HaveTheNamesAndNumbersOfTheFile) {
   for (int i = 2; i < 5; ++i) EXPECT_EQ(number_of(model, *hand_of(model, i)), i);
   EXPECT_EQ(number_of(hrp1s(), hrp1s().hands[1]), 1);
   EXPECT_EQ(hand_of(hrp1s(), 2), nullptr);
+  EXPECT_EQ(hand_called(model, "north"), &model.more_hands[1]);
+  EXPECT_EQ(hand_called(model, "right"), &model.more_hands[0]) << "as hand_of";
+  EXPECT_EQ(hand_called(model, "nroth"), nullptr);
+  EXPECT_EQ(hand_names(model), "east, north, west");
+  EXPECT_EQ(hand_called(hrp1s(), "right"), &hrp1s().hands[1]);
+  EXPECT_EQ(hand_called(hrp1s(), ""), nullptr);
+  EXPECT_EQ(hand_names(hrp1s()), "left, right");
   std::string many = model.yaml_text;
   for (int i = 0; i < 4; ++i) many += formatted("  more_%d: {frame: post, joints: [west_turn]}\n", i);
   const std::string why = error_of([&] { (void)load_robot_texts({.folder = ".", .yaml = many, .urdf = model.urdf_text, .srdf = ""}); });

@@ -8,6 +8,7 @@
 
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/description/load.h"
+#include "test/carried_arms.h"
 #include "test/control/four_legged.h"
 #include "test/viewer/standing.h"
 #include "viewer_log/view/signals.h"
@@ -238,6 +239,23 @@ TEST(HelloFrame, ListsJointsInBusOrder) {
   EXPECT_EQ(frame["joints"].size(), static_cast<std::size_t>(model().bus_count()));
   EXPECT_EQ(frame["trusted"], true);
   EXPECT_NEAR(frame["mass"].get<double>(), 130.8, 1.0);
+}
+
+TEST(HelloFrame, NamesEveryArm) {
+  EXPECT_EQ(Json::parse(hello_frame(model(), true))["hands"][1]["name"], "right");
+  const Model three = test::three_arms();
+  const Json hands = Json::parse(hello_frame(three, true))["hands"];
+  ASSERT_EQ(hands.size(), 3u);
+  EXPECT_EQ(hands[2]["name"], "west");
+  EXPECT_EQ(hands[2]["link"], "west_lower");
+  StackView view(three);
+  RobotState state = standing();
+  state.model_hash = three.hash;
+  state.joint_count = static_cast<std::int16_t>(three.bus_count());
+  view.on_state(state, kNow);
+  const Json places = Json::parse(live_frame(view, kNow))["hands"];
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_GT(places[0][0].get<double>(), places[2][0].get<double>() + 0.3) << "east and west";
 }
 
 TEST(LiveFrame, GhostsAreOfThisRunAndOfAnother) {

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot/description/load.h"
+#include "test/carried_arms.h"
 
 namespace twinbus {
 namespace {
@@ -87,6 +89,43 @@ TEST_F(JogOverTheBus, AModeAskedForByTheOperatorIsSaidAsOftenAsWithoutAJog) {
     const Mode mode = key == "1" ? Mode::kBalance : key == "4" ? Mode::kHold : Mode::kWalk;
     EXPECT_EQ(said(mode), without) << key;
     EXPECT_GT(said(Mode::kPose), 0) << "and then the jog, while the controller shows a mode in which it may";
+  }
+}
+
+// 'h' goes from arm to arm; each is asked for by its number, and told by its name.
+TEST(GamepadArm, EveryArmOfARobotIsMoved) {
+  const Model model = test::three_arms();
+  Bus bus({.url = "memq://", .prefix = "", .allow = {}});
+  GamepadArm arm(model, 7);
+  Teleop teleop(7, true);
+  teleop.set_hands(arm.sides());
+  teleop.on_source(42, false);
+  arm.listen(bus);
+  struct Goals {
+    std::vector<ArmGoal> heard;
+    void hear(const ArmGoal& goal) { heard.push_back(goal); }
+  } goals;
+  bus.listen<&Goals::hear>(channel::kArmGoal, goals);
+  RobotState state;
+  state.run_id = 42;
+  state.model_hash = model.hash;
+  state.joint_count = static_cast<std::int16_t>(model.bus_count());
+  state.attitude = {1.0F, 0.0F, 0.0F, 0.0F};
+  std::int64_t now = 1'000'000'000;
+  for (const auto& [name, side] : {std::pair{"east", ArmSide::kThird}, {"north", ArmSide::kFourth}, {"west", ArmSide::kFifth}}) {
+    goals.heard.clear();
+    teleop.on_key('W', now);
+    for (int i = 0; i < 40; ++i) {
+      now += kCycle;
+      arm.update(state, true, teleop);
+      arm.send(bus, state, now / 1000, now);
+      bus.receive(0);
+    }
+    ASSERT_FALSE(goals.heard.empty()) << name;
+    EXPECT_EQ(goals.heard.back().side, side);
+    EXPECT_EQ(goals.heard.back().kind, ArmGoalKind::kPosition);
+    EXPECT_NE(arm.words(state).find(std::string("arm ") + name + " to "), std::string::npos) << arm.words(state);
+    teleop.on_key('h', now);
   }
 }
 

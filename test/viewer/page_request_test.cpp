@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "lcmtypes/msg/motion_defaults.h"
+#include "robot/description/model.h"
+#include "robot/description/named_hands.h"
+#include "test/carried_arms.h"
+#include "viewer_log/server/page_inbox.h"
 
 namespace twinbus {
 namespace {
@@ -82,8 +86,22 @@ TEST(PageRequest, ReadsVelocitiesAndHandGoals) {
   EXPECT_FLOAT_EQ(request.wz, 1.0f);
   ASSERT_TRUE(read(R"({"do":"reach","side":"right","at":[0.3,-0.2,1]})", true, request));
   EXPECT_EQ(request.what, PageRequest::What::kReach);
-  EXPECT_EQ(request.side, ArmSide::kRight);
+  EXPECT_EQ(request.hand, "right");
   EXPECT_DOUBLE_EQ(request.at[1], -0.2);
+}
+
+// Whether there is such an arm is known where the robot is.
+TEST(PageInbox, AnArmIsAskedForByItsName) {
+  const Model model = test::three_arms();
+  PageInbox inbox;
+  const auto ask = [&](const std::string& name) { return inbox.on_message(model, "", R"({"do":"reach","side":")" + name + R"(","at":[0.3,0,0.7]})", true); };
+  EXPECT_EQ(ask("west"), "");
+  const std::string refusal = ask("wset");
+  EXPECT_NE(refusal.find("no arm called wset; it has east, north, west"), std::string::npos) << refusal;
+  std::vector<PageRequest> requests;
+  (void)inbox.take(requests);
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(number_of(model, *hand_called(model, requests.front().hand)), 4);
 }
 
 TEST(PageRequest, RefusesEverythingElse) {
@@ -108,7 +126,8 @@ TEST(PageRequest, RefusesEverythingElse) {
                            R"({"do":"walk","vx":3,"vy":0,"wz":0})",
                            R"({"do":"walk","vx":1e400,"vy":0,"wz":0})",
                            R"({"do":"walk","vx":"1","vy":0,"wz":0})",
-                           R"({"do":"reach","side":"middle","at":[0,0,0]})",
+                           R"({"do":"reach","side":"","at":[0,0,0]})",
+                           R"({"do":"reach","side":3,"at":[0,0,0]})",
                            R"({"do":"reach","side":"left"})",
                            R"({"do":"reach","side":"left","at":[0,0]})",
                            R"({"do":"reach","side":"left","at":[0,0,1e9]})",

@@ -318,6 +318,36 @@ TEST(Teleop, CapitalsMoveAHandByTwentyMillimetresAndLeaveTheBodyAlone) {
   EXPECT_EQ(teleop.take_hand_move().by[0], 0.0) << "while a stop is asked for";
 }
 
+TEST(Teleop, AllArmsOfARobotAreSteppedThrough) {
+  Teleop keys(7, true);
+  const std::array<ArmSide, 3> three{ArmSide::kThird, ArmSide::kFourth, ArmSide::kFifth};
+  keys.set_hands(three);
+  keys.on_source(kRun, false);
+  EXPECT_EQ(keys.hand(), ArmSide::kThird);
+  for (const ArmSide next : {ArmSide::kFourth, ArmSide::kFifth, ArmSide::kThird}) {
+    keys.on_key('h', kSecond);
+    EXPECT_EQ(keys.hand(), next);
+  }
+  Teleop pad = armed();
+  pad.set_hands(three);
+  const auto press = [&](std::int32_t button) {
+    PadInput input = held();
+    input.buttons |= kPadRightShoulder | button;
+    pad.on_pad(input);
+    input.buttons &= ~button;
+    pad.on_pad(input);
+    return pad.hand();
+  };
+  EXPECT_EQ(press(kPadRight), ArmSide::kFourth);
+  EXPECT_EQ(press(kPadRight), ArmSide::kFifth);
+  EXPECT_EQ(press(kPadRight), ArmSide::kFifth) << "it is the last";
+  EXPECT_EQ(press(kPadLeft), ArmSide::kFourth);
+  EXPECT_EQ(press(kPadLeft), ArmSide::kThird);
+  EXPECT_EQ(press(kPadLeft), ArmSide::kThird) << "it is the first";
+  pad.set_hands({});
+  EXPECT_EQ(pad.hand(), ArmSide::kThird) << "of a robot without arms nothing is known";
+}
+
 TEST(Teleop, WithTheRightBumperTheSticksMoveAHandAndLeaveTheBodyAlone) {
   Teleop teleop = armed();
   PadInput input = held();

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot/description/named_hands.h"
 #include "robot/kinematics/pose_request.h"
 #include "viewer_log/server/page_request.h"
 #include "viewer_log/view/frame.h"
@@ -34,6 +35,10 @@ class PageInbox {
     }
     if (request.sim.action == SimAction::kPush && model.find_link(request.link) < 0)
       return note_frame("push: the robot has no link of that name");
+    if (request.what == PageRequest::What::kReach && hand_called(model, request.hand) == nullptr) {
+      const std::string names = hand_names(model);
+      return note_frame("reach: the robot has no arm called " + request.hand + (names.empty() ? "" : "; it has " + names));
+    }
     if (request.what == PageRequest::What::kPose) {
       for (const auto& [name, q] : request.joints) {
         problem = add_joint(model, name, q, request.pose);

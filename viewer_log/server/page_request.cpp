@@ -65,10 +65,8 @@ bool read_three(const Json& json, const char* key, double largest, std::array<T,
 }
 
 bool read_reach(const Json& json, PageRequest& request) {
-  const std::string side = text_member(json, "side");
-  if (side != "left" && side != "right") return false;
-  request.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  return read_three(json, "at", kFarthestHand, request.at);
+  request.hand = text_member(json, "side");
+  return !request.hand.empty() && read_three(json, "at", kFarthestHand, request.at);
 }
 
 bool read_sim(const Json& json, PageRequest& request) {
@@ -167,7 +165,7 @@ constexpr Kind kKinds[] = {
     {"mode", What::kMode, &read_mode, "mode: one of balance, walk, sway, squat, hold, idle"},
     {"pose", What::kPose, &read_pose, "pose: joints must be an object of joint names and numbers, rad or m"},
     {"walk", What::kWalk, &read_walk, "walk: vx, vy and wz must be numbers of at most 2 m/s, 1 m/s and 2 rad/s"},
-    {"reach", What::kReach, &read_reach, "reach: side must be left or right, at three numbers in metres"},
+    {"reach", What::kReach, &read_reach, "reach: side must name an arm, at three numbers in metres"},
     {"reset", What::kReset, nullptr, nullptr},
     {"sim", What::kSim, &read_sim, "sim: action is pause, go, step with ticks, or pace with pace"},
     {"push", What::kSim, &read_push, "push: link, force and point of three numbers each, and seconds"},

@@ -3,7 +3,7 @@
 //   {"do":"stop","kind":1..3}   needs no token: anyone may stop
 //   {"do":"clear"}  {"do":"switch","run":R}  {"do":"mode","mode":"balance|walk|sway|squat|hold|idle"}
 //   {"do":"pose","joints":{"NAME":Q,...}}  the others stay [rad or m]
-//   {"do":"walk","vx":V,"vy":V,"wz":W}  {"do":"reach","side":"left|right","at":[x,y,z]}  {"do":"cancel"}
+//   {"do":"walk","vx":V,"vy":V,"wz":W}  {"do":"reach","side":"left|right|ARM","at":[x,y,z]}  {"do":"cancel"}
 //   {"do":"setup","setup":{...}}  see launcher/up/setup.h, which judges it
 //   {"do":"reset"}  the simulated world begins anew
 //   {"do":"sim","action":"pause|go"}  {"do":"sim","action":"step","ticks":N}  {"do":"sim","action":"pace","pace":X}
@@ -50,7 +50,7 @@ struct PageRequest {
   std::vector<std::pair<std::string, double>> joints;  // pose: names and targets [rad or m]
   ModeRequest pose;            // its joints, once the robot is known
   float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
-  ArmSide side = ArmSide::kNone;
+  std::string hand;  // its name, looked at where the robot is known
   std::string setup;           // JSON
   bool saves = false;          // the setup only writes the robot
   SimRequest sim;              // without sender, run and robot

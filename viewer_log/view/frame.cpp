@@ -270,14 +270,8 @@ void add_ghosts(const StackView& view, std::int64_t now_ns, Json& frame) {
   }
   const Eigen::Isometry3d drawn = view.drawn_from_estimated(now_ns);
   Json hands = Json::array();
-  for (const Hand& hand : view.model().hands) {
-    if (hand.link < 0) {
-      hands.push_back(nullptr);
-    } else {
-      hands.push_back(point(drawn * view.estimator().kinematics().link_in_world(hand.link) *
-                            hand.frame.translation()));
-    }
-  }
+  for (const Hand* hand : hands_of(view.model()))
+    hands.push_back(point(drawn * view.estimator().kinematics().link_in_world(hand->link) * hand->frame.translation()));
   frame["hands"] = hands;
 }
 
@@ -410,13 +404,10 @@ std::string hello_frame(const Model& model, bool trusted) {
     joints.push_back(model.joints[static_cast<std::size_t>(index)].name);
   }
   Json hands = Json::array();
-  for (const Hand& hand : model.hands) {
-    if (hand.link < 0) {
-      hands.push_back(nullptr);
-    } else {
-      hands.push_back({{"link", model.links[static_cast<std::size_t>(hand.link)].name},
-                       {"at", point(hand.frame.translation())}});
-    }
+  for (const Hand* hand : hands_of(model)) {
+    hands.push_back({{"name", hand->name},
+                     {"link", model.links[static_cast<std::size_t>(hand->link)].name},
+                     {"at", point(hand->frame.translation())}});
   }
   return dump({{"type", "hello"},
                {"trusted", trusted},

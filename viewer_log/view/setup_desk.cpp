@@ -71,10 +71,7 @@ Json limb_list(const Model& model) {
     json["edges"] = {{"front", sole.front}, {"back", sole.back}, {"left", sole.left}, {"right", sole.right}};
     list.push_back(json);
   }
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Hand& hand = model.hands[side];
-    if (hand.link >= 0) list.push_back(limb_json("hand", kSides[side], hand.place, in_place(hand.place, hand.frame)));
-  }
+  for (const Hand* hand : hands_of(model)) list.push_back(limb_json("hand", hand->name.c_str(), hand->place, in_place(hand->place, hand->frame)));
   const std::string& imu = model.imu_place.empty() ? model.links.front().name : model.imu_place;
   list.push_back(limb_json("imu", "", imu, in_place(imu, model.imu)));
   return list;

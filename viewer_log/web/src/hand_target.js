@@ -4,6 +4,9 @@ import * as THREE from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { surface } from './surface.js';
 
+// For people: "left hand", or what robot.yaml calls an arm.
+export const handName = (name) => (name === 'left' || name === 'right' ? `${name} hand` : name);
+
 export class HandTarget {
   // reach(side, [x, y, z]): when the handle is let go.
   constructor(stage, canvas, reach) {
@@ -33,9 +36,8 @@ export class HandTarget {
     });
   }
 
-  // Shows the handle at a hand, or hides it when it was that hand's already.  True when it is shown.
-  offer(side, hands) {
-    const at = hands?.[side === 'left' ? 0 : 1];
+  // Shows the handle at a hand, which is there now, or hides it when it was that hand's already.  True when it is shown.
+  offer(side, at) {
     if (!this.ball) this.make();
     this.side = this.side === side || !at ? null : side;
     if (this.side) this.ball.position.set(...at);

@@ -5,7 +5,7 @@ import { bookmark, fragment, restoreLog, restoreView } from './bookmark.js';
 import { BrowserPad } from './gamepad.js';
 import { Eye } from './eye.js';
 import { Ghost } from './ghost.js';
-import { HandTarget } from './hand_target.js';
+import { HandTarget, handName } from './hand_target.js';
 import { History } from './history.js';
 import { Joystick } from './joystick.js';
 import { Keys } from './keys.js';
@@ -190,18 +190,17 @@ const joystick = new Joystick($('joystick'), $('speed'), (velocity) => link.send
 const pad = new BrowserPad(joystick, stop, $('pad'));
 const target = new HandTarget(stage, $('view'), (side, at) => {
   link.send({ do: 'reach', side, at });
-  panels.toast(`The ${side} hand is asked to go there.`);
+  panels.toast(`The ${handName(side)} is asked to go there.`);
 });
-const reachButtons = [...document.querySelectorAll('#reach button')];
-for (const button of reachButtons) {
-  button.onclick = () => {
-    const shown = target.offer(button.dataset.side, newest?.hands);
-    for (const other of reachButtons) other.classList.toggle('on', shown && other === button);
-    $('reach-note').hidden = !shown;
-    $('reach-note').textContent = 'Drag the handle in the picture; the hand goes where you let go.';
-    button.blur();
-  };
-}
+$('reach').onclick = ({ target: button }) => {
+  const { side } = button.dataset;
+  if (!side) return;
+  const shown = target.offer(side, newest?.hands?.[hello.hands.findIndex(({ name }) => name === side)]);
+  for (const other of $('reach').children) other.classList.toggle('on', shown && other === button);
+  $('reach-note').hidden = !shown;
+  $('reach-note').textContent = 'Drag the handle in the picture; the hand goes where you let go.';
+  button.blur();
+};
 $('stop').onpointerdown = stop; // on pressing, not on letting go
 $('stop').onkeydown = (event) => { if (event.key === 'Enter' && !event.repeat) stop(); };
 $('clear').onclick = () => link.send({ do: 'clear' });

@@ -1,5 +1,6 @@
 // Everything around the 3D view: badge, health, rates, sources, balance map, guard, processes, messages.
 
+import { handName } from './hand_target.js';
 import { typed } from './typed.js';
 
 const $ = (id) => document.getElementById(id);
@@ -39,14 +40,26 @@ export class Panels {
     }
   }
 
+  // A button for each; those that are there stay, one of them may be on.
+  hands(names) {
+    const had = [...$('reach').children].map((button) => button.dataset.side);
+    if (names.length === had.length && names.every((name, i) => name === had[i])) return;
+    $('reach').replaceChildren(...names.map((name) => {
+      const said = handName(name);
+      const button = element('button', { title: 'a handle to drag; the hand goes where it is let go', textContent: `${said[0].toUpperCase()}${said.slice(1)} …` });
+      button.dataset.side = name;
+      return button;
+    }));
+  }
+
   hello(message) {
     this.trusted = message.trusted && !this.recording;
     this.weight = message.mass * 9.81;
     this.robot = message.robot;
-    // A robot on a fixed base neither stands nor walks, and one with a single arm has one hand.
+    // A robot on a fixed base neither stands nor walks.
     for (const button of document.querySelectorAll('#modes button')) button.hidden = message.fixed && kStanding.includes(button.dataset.mode);
     $('drive').hidden = message.fixed;
-    document.querySelectorAll('#reach button').forEach((button, i) => { button.hidden = !message.hands[i]; });
+    this.hands(message.hands.map(({ name }) => name));
     document.title = `twinbus: ${message.robot}`;
     $('watching').hidden = message.trusted;
     for (const button of document.querySelectorAll('#modes button, #reach button, #sim-box button')) button.disabled = !message.trusted;
