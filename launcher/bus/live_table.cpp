@@ -1,6 +1,5 @@
 #include "launcher/bus/live_table.h"
 
-#include <cstdio>
 #include <utility>
 
 #include "common/process/command_word.h"
@@ -153,12 +152,11 @@ std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now
 }
 
 std::vector<std::string> table_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns) {
-  Lines lines;
+  Lines lines = acting_lines(seen, now_ns);
+  add_robot(seen, now_ns, lines);
   add_sources(seen, now_ns, lines);
   add_streams(seen, now_ns, lines);
   add_processes(seen, shares, now_ns, lines);
-  for (std::string& line : acting_lines(seen, now_ns)) lines.push_back(std::move(line));
-  add_robot(seen, now_ns, lines);
   add_timing(seen, now_ns, lines);
   return lines;
 }
@@ -184,18 +182,6 @@ std::string summary_line(const StackMonitor& seen, std::int64_t now_ns) {
                    active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
                    label(seen.controller().mode), seen.figures().fell ? ", FELL" : "") +
          pace_text(seen, now_ns);
-}
-
-void Redraw::clear() {
-  if (lines_ > 0) std::printf("\x1b[%zuA\x1b[J", lines_);
-  lines_ = 0;
-}
-
-void Redraw::draw(const std::vector<std::string>& lines) {
-  clear();
-  for (const std::string& line : lines) std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
-  lines_ = lines.size();
 }
 
 }  // namespace twinbus::launcher

@@ -13,25 +13,12 @@ namespace twinbus::inline launcher {
 
 // What somebody has to act on, each with its remedy; nothing while all is well.
 std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now_ns);
-// At most about 20 lines, each shorter than 100 characters.
+// At most about 20 lines, each shorter than 100 characters; what has to be acted on and the robot first.
 // shares: of the processes of this machine.
 std::vector<std::string> table_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns);
 // What has to be acted on, the robot, a line for each source and process.
 std::vector<std::string> short_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns);
 // All of it in one line, for a log.
 std::string summary_line(const StackMonitor& seen, std::int64_t now_ns);
-
-// Writes lines over the ones written before; only for a terminal.
-class Redraw {
- public:
-  void draw(const std::vector<std::string>& lines);
-  // Leaves the lines standing; what is printed next comes below them.
-  void leave() { lines_ = 0; }
-  // Takes the lines away, so that something else can be printed in their place.
-  void clear();
-
- private:
-  std::size_t lines_ = 0;
-};
 
 }  // namespace twinbus::launcher

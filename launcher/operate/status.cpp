@@ -13,6 +13,7 @@
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/live_table.h"
+#include "launcher/bus/redraw.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus::inline launcher {

@@ -19,6 +19,7 @@
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/event_groups.h"
 #include "launcher/bus/live_table.h"
+#include "launcher/bus/redraw.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/state_hash.h"
 #include "launcher/run/verdict.h"
@@ -370,11 +371,11 @@ void Up::show(std::int64_t now_ns) {
     return;
   }
   std::vector<std::string> lines = table_lines(bus_->seen(), shares_, now_ns);
-  const std::string title = formatted("twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
-                                      request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(),
-                                      stack_.name.c_str(), seconds(start_ns_, now_ns), viewer_address_.empty() ? "" : ", ",
-                                      viewer_address_.c_str());
-  lines.insert(lines.begin(), title);
+  // Lines of its own: a narrow terminal shows the end of none that is longer.
+  if (!viewer_address_.empty()) lines.insert(lines.begin(), "viewer: " + viewer_address_);
+  lines.insert(lines.begin(), formatted("twinbus up: %.1f s   (Ctrl-C stops everything)   %s, %s, %s, stack %s",
+                                        seconds(start_ns_, now_ns), request_.scene.c_str(), request_.robot.c_str(),
+                                        request_.engine.c_str(), stack_.name.c_str()));
   redraw_.draw(lines);
 }
 
