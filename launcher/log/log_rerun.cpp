@@ -72,9 +72,9 @@ and compares bit for bit.  Exit status 0 only if all are the same and nothing is
     return true;
   });
   rerun.finish();
-  bool good = true;
   std::int64_t answers = 0;
-  for (const RerunFigures& f : rerun.figures()) {
+  const std::vector<RerunFigures> figures = rerun.figures();
+  for (const RerunFigures& f : figures) {
     std::printf(
         "%s %lld: %lld steps, %lld answers, %lld different; %lld inputs, %lld missing, %lld "
         "damaged%s\n",
@@ -82,7 +82,6 @@ and compares bit for bit.  Exit status 0 only if all are the same and nothing is
         static_cast<long long>(f.answers), static_cast<long long>(f.different),
         static_cast<long long>(f.inputs), static_cast<long long>(f.missing),
         static_cast<long long>(f.damaged), f.whole ? "" : "; NOT WHOLE");
-    good = good && f.whole && f.different == 0 && f.missing == 0 && f.damaged == 0;
     answers += f.answers;
   }
   for (const std::string& finding : rerun.findings()) std::printf("%s\n", finding.c_str());
@@ -90,8 +89,8 @@ and compares bit for bit.  Exit status 0 only if all are the same and nothing is
     std::printf("no JOURNAL in this log: nothing could be computed again\n");
     return 1;
   }
-  std::printf(good ? "bit for bit the same\n" : "NOT the same\n");
-  return good ? 0 : 1;
+  std::printf("%s\n", rerun_verdict(figures).c_str());
+  return is_same(figures) ? 0 : 1;
 }
 
 }  // namespace twinbus::launcher

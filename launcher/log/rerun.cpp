@@ -1,5 +1,6 @@
 #include "launcher/log/rerun.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -7,6 +8,7 @@
 #include <span>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "launcher/bus/stack_monitor.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/handler.h"
@@ -258,6 +260,30 @@ void Rerun::compare(Process& process, const JournalPage& page, const std::string
       name + " is not the same: " +
           (logged != nullptr ? first_difference(name, logged->bytes, now, "now")
                              : std::string("field not known")));
+}
+
+bool is_same(const std::vector<RerunFigures>& figures) {
+  return std::all_of(figures.begin(), figures.end(), [](const RerunFigures& f) {
+    return f.whole && f.different == 0 && f.missing == 0 && f.damaged == 0;
+  });
+}
+
+std::string rerun_verdict(const std::vector<RerunFigures>& figures) {
+  if (is_same(figures)) return "bit for bit the same";
+  std::int64_t different = 0, missing = 0, damaged = 0;
+  bool whole = true;
+  for (const RerunFigures& f : figures) {
+    different += f.different;
+    missing += f.missing;
+    damaged += f.damaged;
+    whole = whole && f.whole;
+  }
+  const bool lacks = missing > 0 || damaged > 0 || !whole;
+  std::string lack = formatted("%lld messages are missing in the log and %lld damaged", static_cast<long long>(missing),
+                               static_cast<long long>(damaged));
+  if (!whole) lack += ", and it is not whole";
+  if (different == 0) return "all answers that can be compared are the same; the others are NOT COMPARABLE: " + lack;
+  return lacks ? "NOT the same; that may come of the log alone: " + lack : "NOT the same";
 }
 
 }  // namespace twinbus::launcher

@@ -35,6 +35,11 @@ struct RerunFigures {
   bool whole = true;           // from the first step to the last one in the log
 };
 
+// Everything was computed again, and nothing is missing.
+bool is_same(const std::vector<RerunFigures>& figures);
+// What they come to, a line: an answer that differs is told apart from one that the log does not allow to compare.
+std::string rerun_verdict(const std::vector<RerunFigures>& figures);
+
 class Rerun {
  public:
   // The model must outlive this.

@@ -14,6 +14,7 @@
 #include "launcher/commands/commands.h"
 #include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
+#include "launcher/log/rerun.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/messages.h"
 #include "viewer_log/log/log_writer.h"
@@ -205,6 +206,26 @@ TEST_F(LogTools, WhatTheSimulatorDoubtsIsSaidOncePerKindAndCountedInTheEnd) {
               std::string::npos)
         << info;
   }
+}
+
+// Two messages of 820,000 that a recorder lost are no answer that differs.
+TEST(RerunVerdict, WhatTheLogLacksIsToldApartFromWhatDiffers) {
+  RerunFigures good;
+  good.steps = good.answers = good.inputs = 1000;
+  EXPECT_TRUE(is_same({good}));
+  EXPECT_EQ(rerun_verdict({good}), "bit for bit the same");
+  RerunFigures lacks = good;
+  lacks.missing = 2;
+  EXPECT_FALSE(is_same({good, lacks}));
+  EXPECT_EQ(rerun_verdict({good, lacks}).find("NOT the same"), std::string::npos);
+  EXPECT_NE(rerun_verdict({good, lacks}).find("NOT COMPARABLE: 2 messages are missing"), std::string::npos);
+  RerunFigures differs = good;
+  differs.different = 1;
+  EXPECT_EQ(rerun_verdict({good, differs}), "NOT the same");
+  EXPECT_EQ(rerun_verdict({lacks, differs}).find("NOT the same; that may come of the log alone: 2 messages"), 0U);
+  RerunFigures cut = good;
+  cut.whole = false;
+  EXPECT_NE(rerun_verdict({cut}).find("it is not whole"), std::string::npos);
 }
 
 }  // namespace
