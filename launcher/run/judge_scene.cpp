@@ -18,14 +18,36 @@ std::string goals_text(const GoalWatch& goals) {
                    goals.reached(), 1e3 * goals.hand_off(), goals.joint_off());
 }
 
-std::string sentence(const char* format, double reached, double asked) {
-  if (!std::isfinite(reached)) {  // what stands before the number, and why there is none
-    const std::string whole = format;
-    std::size_t at = whole.find('%');
-    while (at != std::string::npos && whole[at + 1] == '%') at = whole.find('%', at + 2);
-    return whole.substr(0, at) + "... not measured: the run ended before";
+// Which goals the arm did not come to, and by how much or why; empty: none.
+std::string missed_text(const GoalWatch& goals) {
+  std::string text;
+  for (const MissedGoal& missed : goals.missed()) {
+    const ArmGoal& goal = missed.goal;
+    const bool of_hand = goal.kind != ArmGoalKind::kJoints;
+    text += formatted("%sgoal %d (", text.empty() ? ": " : "; ", missed.number);
+    const std::string side = goal.side == ArmSide::kRight ? "right hand" : goal.side == ArmSide::kLeft ? "left hand" : "hand";
+    const auto at = [&](std::size_t i) { return static_cast<double>(goal.position[i]); };
+    text += of_hand ? side + formatted(" to %.3f %.3f %.3f m): ", at(0), at(1), at(2)) : std::string("joints): ");
+    switch (missed.why) {
+      case MissedGoal::Why::kNoPath: text += "there was no path"; break;
+      case MissedGoal::Why::kNotBegun: text += "its path was not begun"; break;
+      case MissedGoal::Why::kUnderWay: text += "its path had not come to its end when the next goal came or the run ended"; break;
+      case MissedGoal::Why::kOff:
+        text += of_hand ? formatted("the hand was %.1f mm off, at most %.0f mm", 1e3 * missed.off, 1e3 * GoalWatch::kFar)
+                        : formatted("a joint was %.4f rad off, at most %.2f rad", missed.off, GoalWatch::kFarJoint);
+    }
   }
-  return formatted(format, reached, asked);
+  return text;
+}
+
+// What was reached and what was asked.  A figure that there is none of is "?", and why is said.
+std::string sentence(const char* format, double reached, double asked) {
+  if (std::isfinite(reached)) return formatted(format, reached, asked);
+  std::string whole = format;
+  std::size_t at = whole.find('%');
+  while (at != std::string::npos && whole[at + 1] == '%') at = whole.find('%', at + 2);
+  if (at != std::string::npos) whole.replace(at, whole.find_first_of("feg", at) + 1 - at, "?");
+  return formatted(whole.c_str(), asked) + "; the run ended before it could be measured";
 }
 
 // Of a further robot's base.
@@ -205,7 +227,10 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& whole, std::int64_
            "the robot ended %.2f m from its start, at least %.2f m were asked");
   at_most(w.travel(), asked.drift_max_m,
           "the robot ended %.2f m from its start, at most %.2f m were asked");
-  at_least(run.goals().reached(), asked.goals_reached_min, "%.0f of the arm goals were reached, at least %.0f were asked");
+  if (!std::isnan(asked.goals_reached_min) && !(run.goals().reached() >= asked.goals_reached_min)) {
+    failures.push_back(formatted("%d of the arm goals were reached, at least %.0f were asked", run.goals().reached(), asked.goals_reached_min) +
+                       missed_text(run.goals()));
+  }
   for (const LooseEnd& end : asked.loose) {
     const int body = run.find_loose(end.name);
     if (body < 0) continue;

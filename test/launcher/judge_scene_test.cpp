@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -95,9 +96,49 @@ TEST(JudgeScene, GoalsThatAreNotReachedAreCounted) {
     const RunVerdict verdict = judge_scene(process, asked, ticks);
     EXPECT_EQ(verdict.passed, away == 0.0);
     if (away > 0.0) {
-      EXPECT_NE(verdict.failures.front().find("1 of the arm goals"), std::string::npos);
+      const std::string& said = verdict.failures.front();
+      EXPECT_NE(said.find("1 of the arm goals"), std::string::npos);
+      EXPECT_NE(said.find("at least 2 were asked: goal 2 ("), std::string::npos) << said;
+      EXPECT_NE(said.find("): there was no path"), std::string::npos) << said;
+      EXPECT_EQ(said.find("goal 1"), std::string::npos) << said;
     }
   }
+}
+
+// Which goal, and by how much or why.
+TEST(GoalWatch, KeepsEachGoalThatWasMissed) {
+  const auto where = [](ArmSide) { return Eigen::Vector3d(0.0, 0.0, 0.012); };
+  const Configuration now;
+  ControllerStatus status;
+  GoalWatch watch;
+  const auto ask = [&](std::int64_t id, bool path) {
+    ArmGoal goal;
+    goal.goal_id = id;
+    goal.side = ArmSide::kLeft;
+    watch.ask(goal, path ? std::vector<int>{0} : std::vector<int>{}, Eigen::VectorXd::Zero(path ? 1 : 0));
+  };
+  const auto follow = [&](double time, std::int64_t id, int state) {
+    status.arm_path_id = id;
+    status.arm_state = static_cast<decltype(status.arm_state)>(state);
+    watch.add(time, status, now, where);
+  };
+  ask(1, false);
+  ask(2, true);
+  follow(1.0, 2, 1);
+  follow(2.0, 2, 2);
+  follow(2.6, 2, 2);
+  ask(3, true);
+  follow(3.0, 3, 1);
+  ask(4, true);
+  const std::vector<MissedGoal> missed = watch.missed();
+  ASSERT_EQ(missed.size(), 4u);
+  const std::array why = {MissedGoal::Why::kNoPath, MissedGoal::Why::kOff, MissedGoal::Why::kUnderWay, MissedGoal::Why::kNotBegun};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(missed[i].number, static_cast<int>(i) + 1);
+    EXPECT_EQ(missed[i].why, why[i]) << i;
+  }
+  EXPECT_NEAR(missed[1].off, 0.012, 1e-12);
+  EXPECT_EQ(watch.reached(), 0);
 }
 
 // A robot that was proposed is asked for what its legs can, and it is said; our own are asked as ever.
@@ -140,7 +181,8 @@ TEST(PartOfAScene, IsJudgedByWhatCanBeJudgedAndTheRestIsNamed) {
   const RunVerdict part = judged("walk_forward", 0.6, true);
   EXPECT_TRUE(part.passed) << testing::PrintToString(part.failures);
   EXPECT_TRUE(has(part.left_out, "how far the robot ends")) << testing::PrintToString(part.left_out);
-  EXPECT_TRUE(has(part.left_out, "the velocity was")) << testing::PrintToString(part.left_out);
+  EXPECT_TRUE(has(part.left_out, "the velocity was ? % from the commanded one, at most ")) << testing::PrintToString(part.left_out);
+  EXPECT_TRUE(has(part.left_out, " % were asked; the run ended before it could be measured")) << testing::PrintToString(part.left_out);
   const RunVerdict tilted = judged("walk_forward", 0.6, true, 0.0);
   EXPECT_FALSE(tilted.passed);
   EXPECT_TRUE(has(tilted.failures, "the base tilted"));
