@@ -9,6 +9,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -30,6 +31,7 @@ using namespace twinbus;
 namespace {
 
 constexpr double kPatience = 10.0;            // with a control that a pad does not have [s]
+constexpr double kFirstPad = 1.0;             // SDL shows what is plugged in within [s]
 constexpr double kRumble = 0.5;               // when the robot has been stopped [s]
 constexpr std::int64_t kPeriod = 10'000'000;  // 100 Hz [ns]
 constexpr int kLastZeros = 10;                // on leaving
@@ -43,6 +45,7 @@ struct Arguments {
   bool keyboard = false;
   bool from_script = false;
   bool map = false;
+  bool wait = false;
   std::string mappings = config_folder() + "/gamepads/own.txt";
 };
 
@@ -56,6 +59,7 @@ Arguments parse(int argc, char** argv) {
                "teaches a pad that is not known: asks for one control after another");
   options.text("--mappings", "FILE", a.mappings,
                "where --map keeps what it learns, and whence it is known");
+  options.flag("--wait", a.wait, "for a pad that is plugged in later, also where no terminal shows that it waits");
   options.flag("--virtual", a.from_script,
                "a pad that exists in SDL only, driven by lines on standard input: plug, unplug, "
                "axis 0..5 -32768..32767, press BIT, release BIT");
@@ -65,6 +69,16 @@ Arguments parse(int argc, char** argv) {
     std::exit(2);
   }
   return a;
+}
+
+// With nobody at a terminal who could plug one in, waiting for a pad looks like work.  Throws std::runtime_error then.
+void refuse_to_wait_unseen(const Arguments& arguments, const std::function<bool()>& pad_is_there) {
+  if (arguments.wait || arguments.from_script || isatty(STDIN_FILENO) == 1) return;
+  for (const std::int64_t begin = monotonic_ns(); seconds_since(begin) < kFirstPad && !quit_requested();) {
+    if (pad_is_there()) return;
+    sleep_until_ns(monotonic_ns() + kPeriod);
+  }
+  throw std::runtime_error("no pad is plugged in, and no terminal is there to wait at: plug one in first, or say --wait, or --keyboard in a terminal");
 }
 
 // The lines of --virtual.  Keys arrive through RawTerminal, a line at a time.
@@ -145,6 +159,7 @@ int map_a_pad(const Arguments& arguments) {
   };
   std::printf("plug in the pad ...\n");
   std::fflush(stdout);
+  refuse_to_wait_unseen(arguments, [&] { return pad.open(); });
   while (!quit_requested() && !pad.open()) pass_time();
   if (quit_requested()) return 1;
   std::printf("%s: hands off, then follow; what it does not have is left out after ten seconds\n",
@@ -202,6 +217,11 @@ void run(const Arguments& options) {
           (known < 0 ? ": cannot be read" : ": has no mapping of a pad in it") +
           "; --map writes such a file");
     }
+    refuse_to_wait_unseen(options, [&] {
+      PadInput now;
+      pad->poll(now);
+      return now.connected;
+    });
   }
   std::unique_ptr<RawTerminal> terminal;
   if (options.keyboard || options.from_script) terminal = std::make_unique<RawTerminal>();

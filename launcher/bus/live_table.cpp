@@ -69,6 +69,7 @@ std::string pace_text(const StackMonitor& seen, std::int64_t now_ns) {
 using Lines = std::vector<std::string>;
 
 void add_sources(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
+  if (seen.sources(now_ns).empty()) return;
   lines.push_back("source            Hz      role  term   missed   late  rejected");
   for (const SeenSource* source : seen.sources(now_ns)) lines.push_back(source_line(*source, now_ns));
 }
@@ -81,6 +82,7 @@ void add_streams(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
 }
 
 void add_processes(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns, Lines& lines) {
+  if (seen.processes(now_ns).empty()) return;
   lines.push_back("process           Hz       pid cpu %   missed    p50    p99 max us alloc");
   for (const SeenProcess* process : seen.processes(now_ns))
     lines.push_back(process_line(*process, shares.recent(process->beat.pid, now_ns)));

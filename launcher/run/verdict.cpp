@@ -32,6 +32,11 @@ nlohmann::json number(double value) {
   return value;
 }
 
+std::string cut_log_text(std::int64_t lost) {
+  return formatted("the log is cut: the recorder lost %lld messages, as where the disk is full (./twinbus log info says where)",
+                   static_cast<long long>(lost));
+}
+
 // As TRUTH has told them.
 TrustCounts doubts_of(const RunFigures& figures) {
   static_assert(std::tuple_size_v<decltype(figures.doubted)> == kDoubts);
@@ -139,6 +144,10 @@ RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const Miss
   const std::int64_t controller_own = verdict.controller_missed - controller_stalled;
   verdict.missed = std::max(verdict.source_missed, verdict.controller_missed);
   verdict.stalled = verdict.missed - std::max(source_own, controller_own);
+  for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
+    if (process->beat.kind == ProcessKind::kLog) verdict.not_recorded += process->beat.messages_lost;
+  }
+  if (request.whole_log && verdict.not_recorded > 0) verdict.failures.push_back(cut_log_text(verdict.not_recorded));
   if (end.timer >= 0) verdict.timer_missed = end.timer - std::max<std::int64_t>(start.timer, 0);
 
   if (!request.lockstep) {
@@ -162,6 +171,13 @@ RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const Miss
   if (verdict.fell) verdict.failures.push_back("the robot fell");
   verdict.passed = verdict.failures.empty();
   return verdict;
+}
+
+void end_by_operator(RunVerdict& verdict, const RunRequest& request, double measured) {
+  verdict.by_operator = true;
+  verdict.measured = measured;
+  if (request.duration > 0.0) verdict.failures.push_back(formatted("%.1f s were asked, the operator ended it before", request.duration));
+  verdict.passed = verdict.failures.empty();
 }
 
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request) {
@@ -202,8 +218,10 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
   }
   lines.push_back(verdict.fell ? "the robot fell" : "no fall");
   if (!verdict.doubts.empty()) lines.push_back(verdict.doubts);
+  if (verdict.not_recorded > 0 && !request.whole_log) lines.push_back(cut_log_text(verdict.not_recorded));
+  if (verdict.by_operator) lines.push_back(formatted("ended by the operator after %.1f s", verdict.measured));
   for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);
-  if (verdict.passed) lines.push_back("passed");
+  if (verdict.passed) lines.push_back(verdict.not_recorded > 0 ? "passed, but the log is cut" : "passed");
   return lines;
 }
 
@@ -249,6 +267,8 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["waits_for_late_commands"] = request.patient;
   report["failures"] = verdict.failures;
   report["left_out"] = verdict.left_out;
+  report["messages_not_recorded"] = verdict.not_recorded;
+  report["ended_by"] = verdict.by_operator ? nlohmann::ordered_json("the operator") : nlohmann::ordered_json();
   return report.dump(2) + "\n";
 }
 

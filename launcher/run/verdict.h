@@ -25,6 +25,7 @@ struct RunRequest {
   bool lockstep = false;
   bool patient = false;   // the simulated world waits for late commands, and is slower than real time meanwhile
   double duration = 0.0;  // asked for [s]; 0: until Ctrl-C
+  bool whole_log = false;  // a log of some size was asked for: one that is cut fails the run
 };
 
 // Ticks that sources and controllers have missed since they started, and how many of those would have been in time had
@@ -58,6 +59,9 @@ struct RunVerdict {
   std::vector<std::string> failures;  // one sentence each
   std::string doubts{};               // what the simulator says of its own steps: doubts_line()
   std::vector<std::string> left_out;  // what was asked and could not be judged: the run is only a part of its scene
+  std::int64_t not_recorded = 0;      // messages that recorders lost: a disk that is full, a socket that was
+  bool by_operator = false;           // ended by Ctrl-C
+  double measured = 0.0;              // for so long [s]; of by_operator alone
 };
 
 MissedCounts missed_so_far(const StackMonitor& seen, std::int64_t now_ns);
@@ -67,6 +71,9 @@ std::string real_time_text(int real_time, bool patient = false);
 
 RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const MissedCounts& start,
                  std::int64_t now_ns);
+
+// The run was ended by Ctrl-C after so long [s]; less than was asked for fails.
+void end_by_operator(RunVerdict& verdict, const RunRequest& request, double measured);
 
 // Which physics steps are not to be trusted, a line for people; empty: all are.
 std::string doubts_line(const TrustCounts& trust);

@@ -69,6 +69,7 @@ class Up {
   void wait_for_first_commands();
   bool work();  // until the end; false if something broke
   void set_up(const std::string& wish);
+  bool asked_to_judge() const { return request_.duration > 0.0 || !report_.empty(); }
   bool judge_and_report(bool whole, double wall_s);
   void show(std::int64_t now_ns);
   std::string cpu_line(std::int64_t now_ns);
@@ -123,6 +124,7 @@ Up::Up(const Arguments& arguments) {
   if (arguments.has("--face")) add_face(stack_, arguments.text("--face", ""), face_options(arguments));
   request_.patient = waits_for_late_commands(arguments, stack_);
   refuse_without_log(arguments, stack_);
+  request_.whole_log = records(arguments) && (arguments.has("--split") || arguments.has("--quota"));
   if (arguments.has("--no-viewer")) {
     stack_.leave_out([](const StackProcess& process) { return process.viewer; });
   }
@@ -210,6 +212,7 @@ void Up::start_all() {
     }
     if (supervisor_->all_ready()) break;
   }
+  if (quit_requested()) return say("ended by the operator before everything was ready");
   say(std::accumulate(
       told.begin(), told.end(), formatted("ready after %.2f s:", seconds(begin, monotonic_ns())),
       [](const std::string& all, const std::string& one) { return all + " " + one; }));
@@ -276,7 +279,8 @@ void Up::wait_for_first_commands() {
   if (!stack_.shadow.empty() && put_in_shadow(*bus_, *supervisor_, stack_.shadow))
     say("'" + stack_.shadow + "' shadows it: GAP is the difference");
   // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
-  if (!request_.lockstep) bus_->listen(kSettle);
+  if (!request_.lockstep && !quit_requested()) bus_->listen(kSettle);
+  if (quit_requested()) return;
   start_ns_ = monotonic_ns();
   // A simulator says what its scene asks; a robot does not.
   if (const StackProcess* first = stack_.find(stack_.activate); first != nullptr && first->program != "twinbus_simulator")
@@ -429,7 +433,7 @@ bool Up::judge_and_report(bool whole, double wall_s) {
     std::erase_if(verdict.failures,
                   [](const std::string& failure) { return failure.starts_with("no source"); });
     const auto wanted = static_cast<std::int64_t>(request_.duration / request_.period + 0.5);
-    if (whole && verdict.ticks < wanted) {
+    if (whole && !quit_requested() && verdict.ticks < wanted) {
       verdict.failures.push_back(std::to_string(verdict.ticks) + " of " + std::to_string(wanted) +
                                  " ticks came");
     }
@@ -437,15 +441,21 @@ bool Up::judge_and_report(bool whole, double wall_s) {
   if (!whole) verdict.failures.push_back("a required process ended");
   if (const std::string failure = accuracy_->failure(); !failure.empty()) verdict.failures.push_back("accuracy: " + failure);
   verdict.passed = verdict.failures.empty();
-  redraw_.clear();
-  for (const std::string& line : verdict_lines(verdict, request_)) say(line);
-  say(cpu_line(now));
+  if (quit_requested()) end_by_operator(verdict, request_, wall_s);
   const std::string hash = request_.lockstep ? hash_.text() : "";
-  if (!hash.empty()) say("state_hash " + hash);
+  if (!asked_to_judge() && whole) {
+    redraw_.leave();
+  } else {
+    redraw_.clear();
+    for (const std::string& line : verdict_lines(verdict, request_)) say(line);
+    say(cpu_line(now));
+    if (!hash.empty()) say("state_hash " + hash);
+  }
   const std::string json = accuracy_->in_report(report_json(verdict, request_, bus_->seen(), wall_s, hash));
   write_file(folder_ + "/report.json", json);
   if (!report_.empty()) write_file(report_, json);
-  return verdict.passed;
+  if (quit_requested()) say("figures up to here: " + (report_.empty() ? folder_ + "/report.json" : report_));
+  return verdict.passed || (whole && !asked_to_judge());
 }
 
 int Up::run() {
@@ -458,9 +468,10 @@ int Up::run() {
   bool good = true;
   if (start_ns_ != 0) {
     good = work();
-    const double wall_s = seconds(start_ns_, monotonic_ns());
-    const bool asked_to_judge = request_.duration > 0.0 && !quit_requested();
-    if (asked_to_judge || !good) good = judge_and_report(good, wall_s);
+    good = judge_and_report(good, seconds(start_ns_, monotonic_ns()));
+  } else if (asked_to_judge()) {
+    say("nothing was measured" + (report_.empty() ? "" : ": no " + report_));
+    good = false;
   }
   redraw_.leave();
   say("stops " + std::to_string(supervisor_->processes().size()) + " processes");

@@ -37,12 +37,13 @@ A tick that was missed only because the machine itself stood still is told, but 
   --listen ADDR  an address of this machine on which a phone may watch and stop, with the token that is printed; 0.0.0.0: all
   --no-record  without a log of the run in its folder
   --split SIZE  of the parts of run.log, as in 500MB (default) or 10min; 0: one file.  Tools take run.log for all
-  --quota GB  of run.log with its parts; default 10, but always the last 30 minutes
+  --quota GB  of run.log with its parts; default 10, but always the last 30 minutes.  A log that misses messages (a full disk) \
+      is told with the verdict, and fails a run with --split or --quota
   --log FILE  of --stack replay: the log that is played
   --strict  keeps the clock of a simulated world hard; else, on a machine without real-time rights, it stands still while a \
       command is late, up to 200 ms
   --no-fifo  ordinary priority for every process
-  --report F  writes the figures as JSON
+  --report F  writes the figures as JSON, also those up to Ctrl-C; the run is judged then, as with --for
   --prefix --url --allow)"};
 }
 

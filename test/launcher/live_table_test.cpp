@@ -131,7 +131,16 @@ TEST(ShortLines, BeginWithWhatHasToBeDoneAndLeaveStreamsOut) {
   EXPECT_TRUE(has(table_lines(healthy(), shares, kNow), "stream"));
   const StackMonitor parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
   EXPECT_EQ(short_lines(parked, shares, kNow).front().find("ACT: no source is active"), 0u);
-  EXPECT_TRUE(short_lines(StackMonitor(), shares, kNow).front() != "nothing needs acting on");
+  EXPECT_TRUE(short_lines(StackMonitor(), shares, kNow).empty());  // no table of nobody
+}
+
+// A terminal that is too low leaves out the end.
+TEST(TableLines, BeginWithWhatHasToBeDone) {
+  CpuShare shares;
+  const StackMonitor parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
+  const std::vector<std::string> lines = table_lines(parked, shares, kNow);
+  EXPECT_EQ(lines.front().find("no source is active"), 0u) << lines.front();
+  EXPECT_EQ(lines[1].find("robot: mode"), 0u) << lines[1];
 }
 
 }  // namespace

@@ -198,5 +198,48 @@ TEST(Verdict, WhatTheSimulatorDoubtsIsInLinesAndReport) {
   EXPECT_EQ(json["doubted_steps"]["first_at_s"], 0.25);
 }
 
+// A disk that is full costs the log, not the robot: it is said, and held against a run that asked for its log.
+TEST(Verdict, RepeatsThatTheLogIsCut) {
+  FakeRun run(1, 0, 1);
+  Heartbeat recorder;
+  recorder.process_id = 9;
+  recorder.kind = ProcessKind::kLog;
+  recorder.messages_lost = 1234;
+  run.seen.on_heartbeat(recorder, run.end);
+  const auto said = [&] {
+    std::string all;
+    for (const std::string& line : verdict_lines(run.verdict(), run.request)) all += line + "\n";
+    return all;
+  };
+  EXPECT_TRUE(run.verdict().passed);
+  EXPECT_NE(said().find("the log is cut: the recorder lost 1234 messages"), std::string::npos) << said();
+  EXPECT_NE(said().find("passed, but the log is cut"), std::string::npos) << said();
+  const nlohmann::json report = nlohmann::json::parse(report_json(run.verdict(), run.request, run.seen, 20.0, ""));
+  EXPECT_EQ(report["messages_not_recorded"], 1234);
+  run.request.whole_log = true;
+  EXPECT_FALSE(run.verdict().passed);
+  EXPECT_NE(said().find("FAILED: the log is cut"), std::string::npos) << said();
+  FakeRun well(1, 0, 1);
+  well.request.whole_log = true;
+  EXPECT_TRUE(well.verdict().passed);
+}
+
+TEST(Verdict, WhatTheOperatorEndedIsWhatWasMeasured) {
+  FakeRun run(1, 0, 1);
+  RunVerdict verdict = run.verdict();
+  end_by_operator(verdict, run.request, 20.0);
+  EXPECT_TRUE(verdict.passed);  // nothing was asked to last longer
+  const nlohmann::json report = nlohmann::json::parse(report_json(verdict, run.request, run.seen, 20.0, ""));
+  EXPECT_EQ(report["ended_by"], "the operator");
+  EXPECT_EQ(report["ticks"], kTicks);
+  run.request.duration = 60.0;
+  end_by_operator(verdict, run.request, 20.0);
+  EXPECT_FALSE(verdict.passed);
+  std::string all;
+  for (const std::string& line : verdict_lines(verdict, run.request)) all += line + "\n";
+  EXPECT_NE(all.find("ended by the operator after 20.0 s"), std::string::npos) << all;
+  EXPECT_NE(all.find("FAILED: 60.0 s were asked"), std::string::npos) << all;
+}
+
 }  // namespace
 }  // namespace twinbus

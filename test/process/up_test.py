@@ -131,6 +131,33 @@ def a_death_is_reported(checks):
         checks.that(status == 1, f"without its only source up ends with 1, not {status}")
 
 
+def interrupted_start(checks):
+    """Ctrl-C while the processes start: no list of what is ready, nobody that is blamed for not being ready to end."""
+    for after in (0.1, 0.3, 0.7):
+        up = subprocess.Popen([harness.BIN / "twinbus", "up", "stand", "--no-viewer"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        said = up.stdout.readline()  # which stack it starts
+        time.sleep(after)
+        up.send_signal(signal.SIGINT)
+        said += up.communicate(timeout=30)[0]
+        checks.that(up.returncode == 0 and "killed" not in said and said.endswith("up: all processes ended\n"), f"^C after {after} s: {up.returncode} {said}")
+        checks.that(("up: ended by the operator before everything was ready" in said) != (re.search(r"ready after .*:( [a-z]+)+\n", said) is not None),
+                    f"^C after {after} s: ready, or ended before: {said}")
+
+
+def interrupted_run(checks):
+    """The report that was asked for has what was measured up to Ctrl-C."""
+    report = os.path.join(tempfile.mkdtemp(), "report.json")
+    with Stack("stand", "--no-viewer", "--report", report) as stack:
+        time.sleep(2.0)
+        stack.process.send_signal(signal.SIGINT)
+        stack.process.wait(15)
+    with open(report, encoding="utf-8") as file:
+        figures = json.load(file)
+    checks.that(figures["ended_by"] == "the operator" and figures["ticks"] >= 500, f"the report of an interrupted run: {figures}")
+    said = "".join(stack.lines)
+    checks.that("up: ended by the operator after " in said and "up: figures up to here: " + report in said, f"and it is said: {said}")
+
+
 def robot_alone(checks):
     """The stack without a simulator: the stand-in robot behind the bridge stands, moves, stops and is told to go on."""
     with Stack("stand", "--stack", "bridge", "--no-viewer") as stack:
@@ -172,7 +199,11 @@ def lists(checks):
     groups = [line for line in said.splitlines() if not line.startswith(" ")]
     checks.that(status == 0 and groups == ["standing", "walking", "arms and hands", "bodies and mechanisms"], f"scenes by group: {groups}")
     status, _, problem = cli("scenes", "wlak")
-    checks.that(status == 1 and "did you mean walk?" in problem, f"words that no scene has: {problem}")
+    checks.that(status == 1 and "did you mean walk?" in problem, f"a word of no scene: {problem}")
+    status, said, problem = cli("status")
+    checks.that(status == 1 and said == "" and "no source is heard" in problem, f"status of nothing: {said}{problem}")
+    status, said, problem = cli("gamepad", timeout=20)
+    checks.that(status == 1 and "no pad is plugged in" in problem and "--keyboard" in problem, f"a pad that nobody plugs in: {status} {said[-200:]}{problem}")
     status, said, _ = cli("scenes", "--robot", "table")
     checks.that(status == 0 and "not for table" in said and "two legs" in said and "\nwalking\n" not in said, f"scenes for a robot without legs: {said[-600:]}")
     status, _, problem = cli("up", "--stack", "replay")
@@ -186,6 +217,8 @@ def main():
     interrupted_choice(checks)
     runs_and_judges(checks)
     chooses_by_accuracy(checks)
+    interrupted_start(checks)
+    interrupted_run(checks)
     robot_alone(checks)
     no_process_is_left(checks)
     a_death_is_reported(checks)
