@@ -79,7 +79,8 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
         const bool concerns = !first && settled && may_tell && !own_clock && never_ends(heard_channel(beat, i));
         if (concerns && lost >= kMany && lost <= kJump * std::max<std::int64_t>(received, 1))
           alarms.push_back(sentence(beat, i, lost, "are missing"));
-        if (concerns && rejected >= kMany)
+        // A page shows what it takes for true; that it refuses the rest, as commands of a robot that is stopped, nobody acts on.
+        if (concerns && rejected >= kMany && beat.kind != ProcessKind::kViewer)
           alarms.push_back(sentence(beat, i, rejected, "were refused"));
         if (!first && (received > 0 || !silent)) row.busy = received >= kBusy;
         row.looked_ns = now_ns;

@@ -38,7 +38,7 @@ int ask_simulator(const Arguments& arguments, SimRequest& request) {
   if (request.action == SimAction::kPush) refuse_while_paused(bus.seen(), monotonic_ns());
   request.run_id = active.status.run_id;
   if (request.action == SimAction::kPush && active.status.model_hash != request.model_hash)
-    throw std::runtime_error("the robot that runs is another one: say --robot");
+    throw std::runtime_error("the robot that runs is not the one that was asked for: say which with --robot");
   (void)bus.seen().take_events();
   const std::int64_t begin = monotonic_ns();
   for (int sent = 0; seconds_since(begin) < kAnswer && !quit_requested();) {
@@ -85,8 +85,13 @@ y left, z up), as in: ./twinbus push CHEST 60 0 0 --for 0.2
   --robot --prefix --url --allow)"}, words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   const int link = model.find_link(arguments.word(0));
-  if (link < 0)
+  if (link < 0) {
+    BusLink bus = open_bus(arguments);
+    const SeenSource* active = wait_for_active(bus, kAnswer);
+    if (active != nullptr && active->status.model_hash != model.hash)
+      throw std::runtime_error("push: the robot that runs is not " + model.name + ": say which with --robot");
     throw UsageError("push: " + model.name + " has no link '" + arguments.word(0) + "'" + suggestion(arguments.word(0), model.links));
+  }
   SimRequest request;
   request.action = SimAction::kPush;
   request.model_hash = model.hash;

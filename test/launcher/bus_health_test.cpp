@@ -10,10 +10,10 @@ constexpr std::int64_t kStep = 100'000'000;  // [ns]
 // A controller that hears STATE, the first channel of the table.
 class Heard {
  public:
-  explicit Heard(int channel = 1) {
+  explicit Heard(int channel = 1, ProcessKind kind = ProcessKind::kController) {
     process_.beat.process_id = 7;
     process_.beat.pid = 70;
-    process_.beat.kind = ProcessKind::kController;
+    process_.beat.kind = kind;
     process_.beat.channels = 1;
     process_.beat.channel[0] = static_cast<std::int8_t>(channel);
   }
@@ -112,6 +112,17 @@ TEST(BusHealth, AStartIsNoAlarmNorAreTheTicksOfANewRun) {
   for (int i = 0; i < 5; ++i) heard.second(500, 0, 0, 1.0F);
   EXPECT_TRUE(heard.second(500, 200000, 0, 1.0F).empty());
   EXPECT_FALSE(heard.second(500, 0, 250, 1.0F).empty());
+}
+
+// After every stop it refuses the commands of the robot that is stopped.
+TEST(BusHealth, WhatAPageRefusesIsNoAlarm) {
+  Heard page(1, ProcessKind::kViewer), loop(1, ProcessKind::kSimulator);
+  for (int i = 0; i < 8; ++i) {
+    page.second(500, 0, 0, 1.0F);
+    loop.second(500, 0, 0, 1.0F);
+  }
+  EXPECT_TRUE(page.second(500, 0, 500, 1.0F).empty());
+  EXPECT_FALSE(loop.second(500, 0, 500, 1.0F).empty());
 }
 
 TEST(BusHealth, AQuietChannelMayBeSilent) {

@@ -33,6 +33,10 @@ def main():
     with Stack("stand", "--no-viewer") as stack:
         bus = Bus()
         time.sleep(1.5)
+        status, said, problem = cli("push", "CHSET", "40", "0", "0")
+        checks.that(status == 2 and "did you mean CHEST?" in problem, f"a link that is misspelt: {said}{problem}")
+        status, said, problem = cli("push", "CHEST", "40", "0", "0", "--robot", "table")
+        checks.that(status == 1 and "the robot that runs is not table" in problem, f"a link of another robot: {said}{problem}")
         status, said, problem = cli("push", "CHEST", "40", "0", "0", "--for", "0.2")
         checks.that(status == 0 and "CHEST is pushed with 40 0 0 N" in said, f"push: {said}{problem}")
         _, pushed = bus.wait_for("TRUTH", lambda t: abs(t.push_force[0] - 40) < 0.1, 3.0, start=0)
