@@ -18,6 +18,10 @@
 #include "robot/description/srdf.h"
 #include "robot/description/urdf.h"
 
+// share/twinbus/config of the installation that a program outside the tree is linked with; cmake/twinbusConfig.cmake.in
+// defines it in that program's project, because only there the prefix is known.  Null elsewhere.
+extern "C" [[gnu::weak]] const char* twinbus_installed_config();
+
 namespace twinbus::inline robot {
 
 namespace {
@@ -264,16 +268,20 @@ std::string robot_folder(const std::string& name_or_folder) {
     if (entry.is_directory(error)) known.push_back(entry.path().filename().string());
   }
   throw std::runtime_error("no robot " + name_or_folder + ": neither a folder nor a name under " +
-                           robots.string() + suggestion(name_or_folder, known));
+                           robots.string() +
+                           (known.empty() ? "; TWINBUS_CONFIG names the folder that has robots/, scenes/ and stacks/"
+                                          : suggestion(name_or_folder, known)));
 }
 
 std::string config_folder() {
   if (const char* named = std::getenv("TWINBUS_CONFIG"); named != nullptr && *named != '\0')
     return named;
+  // A program of somebody else that uses this library: what lies beside that program is not ours.
+  std::error_code error;
+  if (twinbus_installed_config != nullptr && fs::is_directory(twinbus_installed_config(), error))
+    return twinbus_installed_config();
   if (const std::string robots = beside_program("config/robots"); !robots.empty())
     return fs::path(robots).parent_path().string();
-  // A program of somebody else that uses this library.
-  std::error_code error;
   for (const char* folder : {TWINBUS_CONFIG_FOLDER, "/usr/local/share/twinbus/config", "/usr/share/twinbus/config"}) {
     if (fs::is_directory(folder, error)) return folder;
   }

@@ -161,10 +161,13 @@ def main():
         run("cmake", "--build", outside)
         lines = (HERE / "outside/command_joint.cpp").read_text().splitlines()
         assert len([line for line in lines if line.strip() and not line.startswith("//")]) <= 21, "longer than 20 lines"
-        config = dict(clean, TWINBUS_CONFIG=str(prefix / "share/twinbus/config"))
-        said = run(outside / "outside", env=config)
-        assert said.startswith("130.8 kg, scene of 10 s, STATE has "), said
-        moved = command_a_joint(prefix, outside / "command_joint", config)
+        config = prefix / "share/twinbus/config"
+        shutil.copytree(config, folder / "other")
+        for place, settings in ((config, {}), (folder / "other", {"TWINBUS_CONFIG": str(folder / "other")})):
+            said, where = run(outside / "outside", env=dict(clean, **settings)).splitlines()
+            assert said.startswith("130.8 kg, scene of 10 s, STATE has "), said
+            assert pathlib.Path(where).resolve() == place.resolve(), f"reads {where}, not {place}"
+        moved = command_a_joint(prefix, outside / "command_joint", clean)
         assert (folder / "home/twinbus/runs").is_dir(), "runs of an installed program are not at home"
     print("ok:", said.strip(), "--", moved)
 

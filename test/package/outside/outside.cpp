@@ -16,8 +16,8 @@ int main() try {
   const twinbus::Scene scene = twinbus::load_scene("stand");
   const twinbus::ArmPlanner planner(model);
   const twinbus::robot_state_t message{};
-  std::printf("%.1f kg, scene of %.0f s, %s has %d bytes\n", kinematics.mass(), scene.duration, twinbus::channel::kState.name,
-              message.getEncodedSize());
+  std::printf("%.1f kg, scene of %.0f s, %s has %d bytes\n%s\n", kinematics.mass(), scene.duration, twinbus::channel::kState.name,
+              message.getEncodedSize(), twinbus::config_folder().c_str());
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "outside: %s\n", error.what());
