@@ -70,6 +70,9 @@ void print_help() {
     std::printf("\nAn installation leaves out what the source tree builds: bench, chart, test.\n");
   } else {
     std::printf("  %-9s %s\n", "test", "build and run the tests");
+    std::printf(
+        "\nIn front of COMMAND: --no-install only says which packages are missing; --own-network gives the stack a network of its own,\n"
+        "which later commands with it join, and a program of yours: --own-network -- PROGRAM.\n");
   }
   print_typed(
       stdout,

@@ -312,7 +312,7 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         for words in ((), ("--help",), ("help",)):
             done = self.run_script(*words)
             self.assertEqual(done.returncode, 0, done.stderr)
-            for line in ("usage: ./twinbus COMMAND", "  up        start and supervise", "  test      build", 'eval "$(./twinbus env)"'):
+            for line in ("usage: ./twinbus COMMAND", "  up        start and supervise", "  test      build", "--own-network -- PROGRAM", 'eval "$(./twinbus env)"'):
                 self.assertIn(line, done.stdout)
         self.assertEqual(self.said(), "")
 
