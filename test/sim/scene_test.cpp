@@ -307,7 +307,7 @@ TEST(Scene, ASlowArmIsGivenTime) {
     Scene scene = load_scene("arm_pick");
     resolve_poses(scene, model);
     resolve_poses(scene, model);
-    const double later = slow ? (1.0 + 2.0 * M_PI / (0.5 * 0.6)) / 12.0 : 1.0;
+    const double later = slow ? (2.0 + 2.0 * M_PI / (0.5 * 0.6)) / 12.0 : 1.0;
     EXPECT_NEAR(scene.goals[1].at, 13.0 * later, 1e-6);
     EXPECT_NEAR(scene.grasps[0].until, 26.0 * later, 1e-6);
     EXPECT_NEAR(scene.duration, 44.0 * later, 1e-6);
