@@ -258,7 +258,7 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
                 self.assertRegex(done.stdout, rf"(?s)usage: .*\./twinbus {found[1]}\b.*\n.*\w", found[1])
         said = self.run_script("up", "stand", "--help").stdout
         self.assertTrue(said.startswith("usage: ./twinbus up [SCENE]\nStarts the processes"), said)
-        self.assertIn("\n  --report F  writes the figures as JSON\n", said)
+        self.assertIn("\n  --report F  writes the figures as JSON", said)
         self.assertIn("usage: ./twinbus log info FILE\n", self.run_script("log", "info", "--help").stdout)
         self.assertEqual(self.said(), "")
         # While another build goes on, and the program of `view` is not there yet; once it is, the program says it.
