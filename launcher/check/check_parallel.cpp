@@ -12,15 +12,15 @@ namespace twinbus::inline launcher {
 
 namespace {
 
-struct Standing {
+struct HeldPosture {
   std::string pose;
   Eigen::Vector2d q;
   RodPosture posture;
 };
 
 // half_sitting where the robot has it and the rods reach it, else all joints at 0.
-Standing standing(const Model& model, const ParallelJoints& pair) {
-  Standing out{.pose = "the zero posture", .q = middle_of(pair.box), .posture{}};
+HeldPosture held_posture(const Model& model, const ParallelJoints& pair) {
+  HeldPosture out{.pose = "the zero posture", .q = middle_of(pair.box), .posture{}};
   if (model.find_pose("half_sitting") >= 0) {
     const Eigen::Vector2d q = pair.of(Configuration(model, "half_sitting").q);
     if (pair.drive.at(q, out.posture)) out = {.pose = "half_sitting", .q = q, .posture{}};
@@ -35,8 +35,8 @@ void print_parallel_joints(const Model& model) {
   for (const ParallelJoints& pair : parallel_joints_of(model)) {
     const Joint& first = model.joints[at(pair.joints[0])];
     const Joint& second = model.joints[at(pair.joints[1])];
-    const Standing stand = standing(model, pair);
-    const Eigen::Vector2d alone = torque_alone(pair.drive, stand.posture), both = torque_box(pair.drive, stand.posture);
+    const HeldPosture held = held_posture(model, pair);
+    const Eigen::Vector2d alone = torque_alone(pair.drive, held.posture), both = torque_box(pair.drive, held.posture);
     const DriveMargins margins = margins_in(pair.drive, pair.box);
     std::printf("%s and %s are turned by motors %s and %s over rods of %.0f and %.0f mm%s\n", first.name.c_str(), second.name.c_str(),
                 pair.drive.motor(0).name.c_str(), pair.drive.motor(1).name.c_str(), 1e3 * pair.drive.rod_length(0),
@@ -44,7 +44,7 @@ void print_parallel_joints(const Model& model) {
     std::printf("  range %.3f to %.3f and %.3f to %.3f rad, in which the motors turn %.3f to %.3f and %.3f to %.3f rad\n",
                 pair.box.lower[0], pair.box.upper[0], pair.box.lower[1], pair.box.upper[1], margins.lower[0], margins.upper[0],
                 margins.lower[1], margins.upper[1]);
-    std::printf("  torque in %s: %.1f N m in %s alone, %.1f in %s alone, %.1f and %.1f both at once\n", stand.pose.c_str(), alone[0],
+    std::printf("  torque in %s: %.1f N m in %s alone, %.1f in %s alone, %.1f and %.1f both at once\n", held.pose.c_str(), alone[0],
                 first.name.c_str(), alone[1], second.name.c_str(), both[0], both[1]);
     std::printf("  nearest to singular in its range: sine between crank and rod %.2f (at least %.2f), levers %.2f (at least %.2f)\n",
                 margins.crank_sine, kLeastCrankSine, margins.foot_share, kLeastFootShare);
@@ -54,10 +54,10 @@ void print_parallel_joints(const Model& model) {
 nlohmann::json parallel_joints_json(const Model& model) {
   nlohmann::json list = nlohmann::json::array();
   for (const ParallelJoints& pair : parallel_joints_of(model)) {
-    const Standing stand = standing(model, pair);
-    const Eigen::Vector2d alone = torque_alone(pair.drive, stand.posture), both = torque_box(pair.drive, stand.posture);
+    const HeldPosture held = held_posture(model, pair);
+    const Eigen::Vector2d alone = torque_alone(pair.drive, held.posture), both = torque_box(pair.drive, held.posture);
     const DriveMargins margins = margins_in(pair.drive, pair.box);
-    nlohmann::json entry = {{"posture", stand.pose},
+    nlohmann::json entry = {{"posture", held.pose},
                             {"torque_both_at_once", {both[0], both[1]}},
                             {"crank_sine", margins.crank_sine},
                             {"levers", margins.foot_share},

@@ -7,7 +7,7 @@
 namespace twinbus {
 namespace {
 
-struct Pair {
+struct TwoHalves {
   std::int64_t a = 0;
   std::int64_t filler[60]{};
   std::int64_t b = 0;
@@ -26,16 +26,16 @@ TEST(Mailbox, GivesTheNewestOnceAndNothingTwice) {
 }
 
 TEST(Mailbox, NeverGivesHalfAValueNorAnOlderOne) {
-  Mailbox<Pair> box;
+  Mailbox<TwoHalves> box;
   constexpr std::int64_t kLast = 20'000;
   std::thread writer([&] {
-    Pair pair;
+    TwoHalves pair;
     for (std::int64_t i = 1; i <= kLast; ++i) {
       pair.a = pair.b = i;
       box.put(pair);
     }
   });
-  Pair seen;
+  TwoHalves seen;
   std::int64_t last = 0;
   while (last < kLast) {
     if (!box.take(seen)) {

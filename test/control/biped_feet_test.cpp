@@ -20,8 +20,8 @@ using test::FootShape;
 using test::MadeBiped;
 using test::ProposedBiped;
 
-struct Walker : SimRig {
-  explicit Walker(const Model& model, const Settings& settings = {}) : SimRig(model, Scene{}, settings, {}), period(model.period()) {}
+struct FootWalker : SimRig {
+  explicit FootWalker(const Model& model, const Settings& settings = {}) : SimRig(model, Scene{}, settings, {}), period(model.period()) {}
   bool walk(double vx, double seconds) {
     const auto ticks = static_cast<int>(std::lround(seconds / period));
     WalkCommand command = walk_command(state().run_id, vx, 0.0, 0.0);
@@ -40,7 +40,7 @@ struct Walker : SimRig {
 
 // Stands, or steps in place, for a while, then walks.
 void expect_walks(const Model& model, double vx, double most_tilt) {
-  Walker robot(model);
+  FootWalker robot(model);
   ASSERT_TRUE(robot.run(2.0));
   robot.ask(Mode::kWalk);
   ASSERT_TRUE(robot.walk(0.0, 3.0));
@@ -88,7 +88,7 @@ TEST(LineFeet, ALineAcrossTheFootSteps) {
   EXPECT_TRUE(robot.says("on two feet that are points, or lines"));
   EXPECT_LT(robot.model.soles[0].link, 0);
   ASSERT_EQ(why_no_point_feet(robot.model), nullptr);
-  Walker walker(robot.model);
+  FootWalker walker(robot.model);
   ASSERT_TRUE(walker.run(2.0));
   walker.ask(Mode::kWalk);
   ASSERT_TRUE(walker.walk(0.2, 20.0));
@@ -125,7 +125,7 @@ TEST(Toes, WithoutAMotorAreSpringsThatNobodyCommands) {
 // How far the left toe is bent at most while the robot walks.
 double most_bent(const std::string& springs, const char* engine) {
   const ProposedBiped made({.toe_effort = 0.0, .springs = springs});
-  Walker robot(made.model, {{"engine", engine}});
+  FootWalker robot(made.model, {{"engine", engine}});
   const auto toe = static_cast<Eigen::Index>(made.model.find_joint("left_toe"));
   double most = 0.0;
   EXPECT_TRUE(robot.run(1.0));

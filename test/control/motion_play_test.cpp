@@ -26,14 +26,14 @@ MotionClip arms_and_squat(double seconds) {
           }), {}};
 }
 
-Scene flat() {
+Scene flat_ground() {
   Scene scene;
   scene.name = "flat";
   return scene;
 }
 
 struct Player : SimRig {
-  Player() : SimRig(hrp1s(), flat(), {}, {}) { EXPECT_TRUE(run(0.5)); }
+  Player() : SimRig(hrp1s(), flat_ground(), {}, {}) { EXPECT_TRUE(run(0.5)); }
 
   void say(const MotionClip& clip, std::int64_t id, int frames = kMostMotionFrames) {
     for (MotionPiece piece : clip.pieces(id)) {

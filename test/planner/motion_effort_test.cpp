@@ -11,7 +11,7 @@
 namespace twinbus {
 namespace {
 
-std::vector<int> arm_joints() { return hrp1s().hands.front().joints; }
+std::vector<int> first_arm() { return hrp1s().hands.front().joints; }
 
 // The whole arm swings by half a radian in a third of a second.
 TimedPath swing(const Configuration& start, const std::vector<int>& joints) {
@@ -32,7 +32,7 @@ double hardest(const Model& model, const Configuration& start, const std::vector
 }
 
 TEST(MotionEffort, AnEasyMotionIsLeftAsItIs) {
-  const std::vector<int> joints = arm_joints();
+  const std::vector<int> joints = first_arm();
   TimedPath path = swing(standing(), joints);
   slow_down(path, 5.0);
   EXPECT_EQ(MotionEffort(hrp1s(), standing(), joints).slower(path), 1.0);
@@ -40,7 +40,7 @@ TEST(MotionEffort, AnEasyMotionIsLeftAsItIs) {
 
 TEST(MotionEffort, AMotionThatIsTooHardJustMeetsTheLimitsWhenSlowed) {
   const Configuration start = standing();
-  const std::vector<int> joints = arm_joints();
+  const std::vector<int> joints = first_arm();
   TimedPath path = swing(start, joints);
   TimedPath slow = path;
   slow_down(slow, 100.0);
@@ -59,7 +59,7 @@ TEST(MotionEffort, AMotionThatIsTooHardJustMeetsTheLimitsWhenSlowed) {
 
 TEST(MotionEffort, AJointThatCannotHoldTheArmIsNamed) {
   const Configuration start = standing();
-  const std::vector<int> joints = arm_joints();
+  const std::vector<int> joints = first_arm();
   Model model = hrp1s();
   const int elbow = joints[3];
   model.joints[at(elbow)].effort = 0.1;
@@ -112,7 +112,7 @@ double hardest_against_drag(const Model& model, const Configuration& start, cons
 
 TEST(MotionEffort, DampingAndFrictionTakeOfTheEffortsThatAMotionMayAskFor) {
   const Configuration start = standing();
-  const std::vector<int> joints = arm_joints();
+  const std::vector<int> joints = first_arm();
   TimedPath asked = swing(start, joints);
   slow_down(asked, 0.4);
   for (const auto& [damping, friction] : {std::pair{1.0, 0.0}, {0.0, 0.9}, {0.5, 0.5}, {2.0, 0.7}}) {
@@ -129,7 +129,7 @@ TEST(MotionEffort, DampingAndFrictionTakeOfTheEffortsThatAMotionMayAskFor) {
 
 TEST(MotionEffort, AJointWhoseFrictionTakesAllIsNamed) {
   const Configuration start = standing();
-  const std::vector<int> joints = arm_joints();
+  const std::vector<int> joints = first_arm();
   Model model = hrp1s();
   const int elbow = joints[3];
   model.joints[at(elbow)].friction = 2.0 * model.joints[at(elbow)].effort;

@@ -66,7 +66,7 @@ def refusals(checks, bus):
             (("right", 0.50, -0.20, 0.66), 1, "would touch|out of reach by"),
             (("left", 0.4, 0.2, "nan"), 2, "Z must be a number"),
             (("left", 0.4, 0.2, 900), 2, "Z must be a number"),
-            (("up", 0.4, 0.2, 0.9), 2, "left or right"),
+            (("up", 0.4, 0.2, 0.9), 2, "say one of: left, right"),
             (("left", 0.4), 2, "X Y Z"),
             (("left", 0.4, 0.2, 0.9, "--speed", 7), 2, "speed"),
             (("left", 0.4, 0.2, 0.9, "--robot", "nobody"), 1, "nobody")):

@@ -93,7 +93,7 @@ std::string limb(const std::string& name, const std::string& on, const std::stri
          hinge(name + "_2", a, b, step, "0 1 0") + hinge(name + "_3", b, c, step, "0 1 0");
 }
 
-Model loaded(const std::string& text) {
+Model arm_of(const std::string& text) {
   UrdfRepairs repairs;
   return load_repaired_urdf(text, "/tmp/robot.urdf", {}, repairs);
 }
@@ -108,7 +108,7 @@ std::string torso(const std::string& trunk, const std::string& shoulders) {
 // Its hand 5 mm beside the trunk, four joints away.
 TEST(ArmLift, AnArmThatTheRobotBoxesInBeginsClearOfIt) {
   const auto folded = [](const std::string& back) {
-    return loaded("<robot name='arm'>" + box("trunk", "0.2 0.2 0.2", "0 0 0.1") + box("upper", "0.02 0.02 0.02", "0 0 0") +
+    return arm_of("<robot name='arm'>" + box("trunk", "0.2 0.2 0.2", "0 0 0.1") + box("upper", "0.02 0.02 0.02", "0 0 0") +
                   box("fore", "0.02 0.02 0.02", "0 0 0") + box("wrist", "0.02 0.02 0.02", "0 0 0") + box("hand", "0.1 0.1 0.1", "0 0 0") +
                   hinge("j1", "trunk", "upper", "0 0 0.4", "0 1 0") + hinge("j2", "upper", "fore", "0.3 0 0", "0 1 0") +
                   hinge("j3", "fore", "wrist", "0 0 -0.3", "0 1 0") + hinge("j4", "wrist", "hand", back + " 0 0", "0 1 0") + "</robot>");
@@ -127,14 +127,14 @@ TEST(ArmLift, AnArmThatTheRobotBoxesInBeginsClearOfIt) {
 // The ground of scenes is at z = 0.
 TEST(Stand, WhatReachesBelowItsBaseIsRaised) {
   const std::string above = box("trunk", "0.3 0.3 0.6", "0 0 0.3"), below = box("trunk", "0.3 0.3 1.0", "0 0 -0.4");
-  EXPECT_EQ(height_of_stand(loaded(torso(above, "0.8"))), 0.0);
-  EXPECT_NEAR(height_of_stand(loaded(torso(below, "0.1"))), 0.9, 1e-9);  // to its foot
+  EXPECT_EQ(height_of_stand(arm_of(torso(above, "0.8"))), 0.0);
+  EXPECT_NEAR(height_of_stand(arm_of(torso(below, "0.1"))), 0.9, 1e-9);  // to its foot
   const std::string hangs = torso(above, "0.4");
-  const double height = height_of_stand(loaded(hangs));
+  const double height = height_of_stand(arm_of(hangs));
   EXPECT_NEAR(height, 0.25, 1e-9);  // hands 0.2 m below the base, 0.05 m above the ground
   Eigen::Isometry3d raised = Eigen::Isometry3d::Identity();
   raised.translation().z() = height;
-  const Model model = loaded(with_root_above(hangs, "trunk", "stand", raised, "the ground is at z = 0"));
+  const Model model = arm_of(with_root_above(hangs, "trunk", "stand", raised, "the ground is at z = 0"));
   EXPECT_EQ(model.links.front().name, "stand");
   EXPECT_EQ(height_of_stand(model), 0.0);
 }
@@ -147,7 +147,7 @@ TEST(Stand, AnArmThatOnlyFollowsTheOtherIsNoHandAndStillRaisesTheBase) {
     ASSERT_NE(joint, std::string::npos);
     text.insert(text.find("</joint>", joint), "<mimic joint='left_arm_" + number + "'/>");
   }
-  const Model model = loaded(text);
+  const Model model = arm_of(text);
   const Anatomy found = find_anatomy(model);
   EXPECT_EQ(found.hands[0].joints.size(), 3U);
   EXPECT_LT(found.hands[1].link, 0);
@@ -176,7 +176,7 @@ TEST(Anatomy, ASmallUpperBodyIsNoHand) {
     text += box(top + "_low", size, "0 0 0") + box(top + "_high", size, "0 0 0");
     text += hinge(top + "_1", "trunk", top + "_low", "0 0 0.33", "0 0 1") +
             hinge(top + "_2", top + "_low", top + "_high", "0 0 0.1", "0 1 0");
-    return find_anatomy(loaded(text + "</robot>"));
+    return find_anatomy(arm_of(text + "</robot>"));
   };
   EXPECT_LT(body("digit", "post").hands[0].link, 0);  // without names of arms or a head
   for (const auto& [arm, top] : {std::pair("arm", "neck"), std::pair("arm", "Head"), std::pair("shoulder", "post")}) {
@@ -192,7 +192,7 @@ TEST(Anatomy, FingersOfAPalmAreNoArms) {
       text += limb(finger + name, "palm", xyz, "0.02 0.02 0.02", step);
     return text + "</robot>";
   };
-  const Anatomy found = find_anatomy(loaded(hand("finger", "0.04 0 0")));
+  const Anatomy found = find_anatomy(arm_of(hand("finger", "0.04 0 0")));
   EXPECT_LT(std::max(found.hands[0].link, found.hands[1].link), 0);
   ASSERT_FALSE(found.doubts.empty());
   EXPECT_EQ(found.doubts.front().find("a hand without an arm: 3 fingers on its base"), 0U) << found.doubts.front();
@@ -203,9 +203,9 @@ TEST(Anatomy, FingersOfAPalmAreNoArms) {
   const auto says_hand = [](const Anatomy& anatomy) {
     return std::any_of(anatomy.doubts.begin(), anatomy.doubts.end(), [](const std::string& d) { return d.find("hand without") != std::string::npos; });
   };
-  EXPECT_FALSE(says_hand(find_anatomy(loaded(hand("finger", "0.3 0 0")))));
-  EXPECT_FALSE(says_hand(find_anatomy(loaded(hand("leg", "0.04 0 0")))));
-  EXPECT_FALSE(says_hand(find_anatomy(loaded(torso(box("trunk", "0.3 0.3 0.6", "0 0 0.3"), "0.8")))));
+  EXPECT_FALSE(says_hand(find_anatomy(arm_of(hand("finger", "0.3 0 0")))));
+  EXPECT_FALSE(says_hand(find_anatomy(arm_of(hand("leg", "0.04 0 0")))));
+  EXPECT_FALSE(says_hand(find_anatomy(arm_of(torso(box("trunk", "0.3 0.3 0.6", "0 0 0.3"), "0.8")))));
 }
 
 // hrp1s with two fingers a hand that slide, proposed.

@@ -7,7 +7,7 @@
 namespace twinbus::test {
 namespace {
 
-constexpr double kTick = 0.002;
+constexpr double kStateTick = 0.002;
 
 std::size_t side_of(int foot) { return static_cast<std::size_t>(foot); }
 
@@ -109,7 +109,7 @@ TEST(InertialLegOdometry, ARobotThatTipsTurnsAboutTheCentreOfPressure) {
   const Eigen::Vector3d edge = body.kinematics.link_in_world(sole.link) * sole.frame * Eigen::Vector3d(sole.front, 0.0, 0.0);
   const Eigen::Vector3d w(0.0, 0.2, 0.0);
   for (int i = 0; i < 400; ++i) {
-    const Eigen::Matrix3d turn = rotation_of(kTick * i * w);
+    const Eigen::Matrix3d turn = rotation_of(kStateTick * i * w);
     const Eigen::Vector3d arm = turn * (Eigen::Vector3d(0.0, edge.y(), 0.0) - edge);
     body.truth.base.linear() = turn;
     body.truth.base.translation() = arm;
@@ -163,7 +163,7 @@ TEST(InertialLegOdometry, AFootThatComesUpOutOfSoftGroundHardlyMovesTheBase) {
   ASSERT_GT(lever, 0.1);
   double sum = 0.0;
   for (int i = 0; i < 1000; ++i) {
-    body.truth.qd[joint] = 0.3 / lever * std::exp(-kTick * (i % 100) / 0.04);
+    body.truth.qd[joint] = 0.3 / lever * std::exp(-kStateTick * (i % 100) / 0.04);
     odometry.update(body.state(Eigen::Vector3d::Zero(), 0.0, 1.0));
     if (i >= 500) sum += velocity_of(odometry).norm() / 500.0;
   }
@@ -230,7 +230,7 @@ TEST(InertialLegOdometry, GoesOnWhenTheSourceChangesAndItsHeadingIsAnother) {
   for (const InertialLegOdometry* one : {&odometry, &other}) {
     const Estimate& e = one->estimate();
     EXPECT_EQ(e.run_id, 6);
-    EXPECT_NEAR(e.base_position[0], before.base_position[0] + kTick * 0.2, 5e-4);
+    EXPECT_NEAR(e.base_position[0], before.base_position[0] + kStateTick * 0.2, 5e-4);
     EXPECT_NEAR(yaw_of(quaternion_from_array(e.base_attitude).toRotationMatrix()), 0.0, 1e-5);
     EXPECT_LT((vector_from_array(e.base_velocity) - vector_from_array(before.base_velocity)).norm(), 1e-3);
     EXPECT_GT(e.velocity_deviation[0], before.velocity_deviation[0]);

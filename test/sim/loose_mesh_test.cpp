@@ -159,7 +159,7 @@ TEST(LooseMesh, WhatHasNoVolumeIsRefused) {
 }
 
 // What load_scene says of a scene with this file.
-std::string complaint(const std::string& mesh) {
+std::string mesh_complaint(const std::string& mesh) {
   const std::string path = testing::TempDir() + "loose_mesh_scene.yaml";
   std::ofstream(path) << "loose:\n  - {name: a, shape: mesh, file: " << mesh
                       << ", mass: 1, position: [0, 0, 1]}\n";
@@ -172,9 +172,9 @@ std::string complaint(const std::string& mesh) {
 }
 
 TEST(LooseMesh, FileLiesBesideItsScene) {
-  EXPECT_NE(complaint("../hook.obj").find("scene's folder"), std::string::npos);
-  EXPECT_NE(complaint("/etc/hook.obj").find("scene's folder"), std::string::npos);
-  EXPECT_NE(complaint("no_such.obj").find("no_such.obj"), std::string::npos);
+  EXPECT_NE(mesh_complaint("../hook.obj").find("scene's folder"), std::string::npos);
+  EXPECT_NE(mesh_complaint("/etc/hook.obj").find("scene's folder"), std::string::npos);
+  EXPECT_NE(mesh_complaint("no_such.obj").find("no_such.obj"), std::string::npos);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@
 namespace twinbus {
 namespace {
 
-LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
+LooseBody light_box(const std::string& name, double mass, const Eigen::Vector3d& size,
               const Eigen::Vector3d& position, double stiffness = 1e6) {
   const Eigen::Isometry3d pose(Eigen::Translation3d{position});
   return test::loose_box(name, mass, size, pose, stiffness, std::sqrt(15.0 * stiffness));
@@ -38,7 +38,7 @@ TEST_P(LooseTest, EveryShapeComesToRestOnTheGround) {
   const Eigen::Vector3d sizes[] = {{0.2, 0.3, 0.1}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0.05, 0.2, 0}};
   const double rest[] = {0.05, 0.1, 0.05, 0.05};  // height of the middle
   for (int i = 0; i < 4; ++i) {
-    LooseBody body = box("b" + std::to_string(i), 2.0, sizes[i], {1.0 * i, 0.0, rest[i] + 0.02});
+    LooseBody body = light_box("b" + std::to_string(i), 2.0, sizes[i], {1.0 * i, 0.0, rest[i] + 0.02});
     body.solid.shape = shapes[i];
     if (i == 3)
       body.start.pose.linear() =
@@ -70,7 +70,7 @@ TEST_P(LooseTest, ABallLeavesAWallAsHuntAndCrossleySay) {
   config.obstacles.push_back({.shape = ObstacleShape::kBox,
                               .size = {0.2, 2.0, 2.0},
                               .pose = Eigen::Isometry3d(Eigen::Translation3d(0.1, 0.0, 5.0))});
-  LooseBody ball = box("ball", 1.0, {0.1, 0.0, 0.0}, {-0.105, 0.0, 5.0});
+  LooseBody ball = light_box("ball", 1.0, {0.1, 0.0, 0.0}, {-0.105, 0.0, 5.0});
   ball.solid.shape = SolidShape::kSphere;
   ball.start.velocity.x() = 1.0;
   config.loose.push_back(ball);
@@ -88,7 +88,7 @@ TEST_P(LooseTest, BoxesStandOnOneAnother) {
   config.step = 1e-3;
   for (int i = 0; i < 3; ++i) {
     config.loose.push_back(
-        box("b" + std::to_string(i), 1.0, {0.2, 0.2, 0.2}, {0.01 * i, 0.0, 0.1 + 0.2 * i}));
+        light_box("b" + std::to_string(i), 1.0, {0.2, 0.2, 0.2}, {0.01 * i, 0.0, 0.1 + 0.2 * i}));
   }
   const auto world = make(model, config);
   ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
@@ -102,7 +102,7 @@ TEST_P(LooseTest, BoxesStandOnOneAnother) {
 TEST_P(LooseTest, ABoxIsPutWhereItIsTold) {
   const Model model = test::bystander();
   WorldConfig config;
-  config.loose = {box("b", 1.0, {0.2, 0.2, 0.2}, {0, 0, 0.1})};
+  config.loose = {light_box("b", 1.0, {0.2, 0.2, 0.2}, {0, 0, 0.1})};
   const auto world = make(model, config);
   LooseState to;
   to.pose.translation() = Eigen::Vector3d(0, 0, 3);
@@ -121,7 +121,7 @@ TEST_P(LooseTest, ABoxSlidesToAHalt) {
   const Model model = test::bystander();
   WorldConfig config;
   config.step = 1e-3;
-  LooseBody body = box("b", 5.0, {0.4, 0.4, 0.1}, {0, 0, 0.05 - 5.0 * kGravity / 4e6});
+  LooseBody body = light_box("b", 5.0, {0.4, 0.4, 0.1}, {0, 0, 0.05 - 5.0 * kGravity / 4e6});
   body.start.velocity = {1, 0, 0};
   body.friction = config.ground_friction = 0.5;
   config.loose = {body};
@@ -152,7 +152,7 @@ class LooseAndRobot {
     config.step = h;
     if (scene == "plate") {
       at.base.translation().z() += 0.041;
-      config.loose = {box("plate", mass, {0.8, 0.8, 0.04}, {0.0, 0.0, 0.02}, k)};
+      config.loose = {light_box("plate", mass, {0.8, 0.8, 0.04}, {0.0, 0.0, 0.02}, k)};
     } else {
       Kinematics kinematics(model_);
       kinematics.update(at);
@@ -160,7 +160,7 @@ class LooseAndRobot {
       const Sole& sole = model_.soles[0];
       const Eigen::Vector3d place = sole.frame * Eigen::Vector3d(0.12, 0.0, 0.02 + 0.026);
       config.loose = {
-          box("box", mass, {0.05, 0.05, 0.05}, kinematics.link_in_world(sole.link) * place, k)};
+          light_box("box", mass, {0.05, 0.05, 0.05}, kinematics.link_in_world(sole.link) * place, k)};
     }
     world_ = std::make_unique<ArticulatedWorld>(model_, config);
     EXPECT_EQ(world_->set(at, &start.tau), Status::kOk);
@@ -231,7 +231,7 @@ Kept collide(double h) {
   }
   WorldConfig config;
   config.step = h;
-  LooseBody body = box("b", 5.0, {0.5, 0.5, 0.1}, {0.35, 0.02, 49.8}, 1e5);
+  LooseBody body = light_box("b", 5.0, {0.5, 0.5, 0.1}, {0.35, 0.02, 49.8}, 1e5);
   body.start.velocity = {0.1, 0.0, 1.0};
   config.loose = {body};
   ArticulatedWorld world(model, config);
@@ -288,9 +288,9 @@ TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
     for (int i = 0; i < kBoxes; ++i) {
       const int level = shuffled ? i * 7 % kBoxes : i;
       config.loose.push_back(
-          box("b", 1.0 + 0.1 * level, {0.2, 0.2, 0.2}, {0.01 * (level % 3), 0, 0.1 + 0.2 * level}));
+          light_box("b", 1.0 + 0.1 * level, {0.2, 0.2, 0.2}, {0.01 * (level % 3), 0, 0.1 + 0.2 * level}));
     }
-    config.loose.insert(config.loose.begin() + 5, box("lone", 1.0, {0.2, 0.2, 0.2}, {1, 0, 0.1}));
+    config.loose.insert(config.loose.begin() + 5, light_box("lone", 1.0, {0.2, 0.2, 0.2}, {1, 0, 0.1}));
     ArticulatedWorld world(model, config);
     for (int i = 0; i < 200; ++i) ASSERT_EQ(world.step(), Status::kOk);
     EXPECT_EQ(world.counters().unconverged, 0);
@@ -374,7 +374,7 @@ TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
       for (int thrown = 0; thrown < 6; ++thrown) {
         WorldConfig config;
         config.step = h;
-        LooseBody body = box("b", std::pow(10.0, 1.5 * u()), {0.2, 0.3, 0.1}, {0, 0, 0.2}, k);
+        LooseBody body = light_box("b", std::pow(10.0, 1.5 * u()), {0.2, 0.3, 0.1}, {0, 0, 0.2}, k);
         body.friction = config.ground_friction = 0.3 + (most - 0.3) * std::abs(u());
         body.start.pose.linear() =
             Eigen::Quaterniond(u(), u(), u(), u()).normalized().toRotationMatrix();

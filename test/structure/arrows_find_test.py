@@ -102,6 +102,12 @@ def wrong_with_names_of_a_folder():
         yield "one name for two types"
     if shared("double between(double a) {", "double between(int a) {"):
         yield "functions of one name whose parameters differ"
+    header = "struct Standing {\n  int foot;\n};\n"
+    hidden = {"sim/world/standing.h": header, "robot/model/0.cpp": "namespace {\nstruct Standing {\n};\n}  // namespace\n"}
+    if problems_of(hidden | {"robot/model/1.cpp": "int foot_of(const Walking& feet);\n"}, unity_test.check):
+        yield "a type of an unnamed namespace that hides none"
+    if len(problems_of(hidden | {"robot/model/1.cpp": "int foot_of(const Standing& feet);\n"}, unity_test.check)) != 1:
+        yield "a type of an unnamed namespace that hides another room's"
 
 
 def wrong_with_scene_keys():

@@ -4,8 +4,9 @@
     unity_test.py            checks the tree this file is in
     unity_test.py FOLDER     checks another one (the test of this test does)
 
-Looked at are constants, types, names for different types, and functions of the same parameters, in the rooms of the product: the files of a test program
-are compiled together in the release build, too.
+Looked at are constants, types, names for different types, and functions of the same parameters, in the rooms of the product and in their tests: which
+files of a test program are compiled together changes with each file that comes.  A type of an unnamed namespace must not take the name of a type that another room's header gives and
+another file of its folder uses: there the wrong one of both would be found.
 """
 
 import collections
@@ -15,6 +16,8 @@ import sys
 
 from report import files_of, report
 
+# Folders whose programs have one source each.
+APART = (("test", "bench"), ("test", "fuzz"), ("test", "tools"))
 OPENS, CLOSES = re.compile(r"^namespace \{"), re.compile(r"^\}  // namespace$")
 TYPE = re.compile(r"^(?:struct|class|enum class|enum) (\w+)(?! *;)")
 NAMED = re.compile(r"^(?:\[\[\w+\]\] )?(?:[\w:<>,&*]+ )+[&*]?(\w+)(\(.*|[\[={; ].*)$")
@@ -40,19 +43,40 @@ def names_of(text):
     for number, line in enumerate(text.splitlines(), 1):
         if OPENS.match(line) or CLOSES.match(line):
             inside = line.startswith("namespace {")
-        elif inside and line[:1].isalpha() or line.startswith("[["):
+        elif inside and (line[:1].isalpha() or line.startswith("[[")):
             if name := named(line):
                 yield name, number, line
+
+
+def hidden_types(root, found):
+    """Types of unnamed namespaces that hide a type of some header from another file of their folder."""
+    given, folders = {}, collections.defaultdict(list)
+    for name in files_of(root):
+        path = pathlib.PurePath(name)
+        if path.parts[0] in ("test", "examples"):
+            continue
+        if path.suffix == ".h":
+            given.update((line[1], name) for line in re.finditer(TYPE.pattern, (root / name).read_text(), re.MULTILINE))
+        elif path.suffix == ".cpp" and not path.stem.endswith("main"):
+            folders[path.parent].append(name)
+    for (folder, what), places in sorted(found.items(), key=lambda item: item[1]):
+        if what not in given or not what[:1].isupper():
+            continue
+        own = {place[0] for place in places}
+        for other in folders[folder]:
+            if other not in own and re.search(rf"\b{what}\b", (root / other).read_text()):
+                yield (f"{places[0][0]}:{places[0][1]}: {what} hides that of {given[what]} from {other}, because sanitizer builds compile both together: "
+                       "give it another name")
 
 
 def check(root):
     found = collections.defaultdict(list)
     for name in files_of(root):
         path = pathlib.PurePath(name)
-        if path.suffix == ".cpp" and not path.stem.endswith("main") and path.parts[0] not in ("test", "examples"):
+        if path.suffix == ".cpp" and not path.stem.endswith("main") and path.parts[0] != "examples" and path.parts[:2] not in APART:
             for what, number, line in names_of((root / name).read_text()):
                 found[path.parent, what].append((name, number, line))
-    problems = []
+    problems = list(hidden_types(root, found))
     for (_, what), places in sorted(found.items(), key=lambda item: item[1]):
         files, lines = ({place[k] for place in places} for k in (0, 2))
         if len(files) > 1 and (len(lines) > 1 or not places[0][2].startswith("using ")):

@@ -68,9 +68,6 @@ namespace avx512_lanes {
 #endif
 // clang-format on
 
-namespace {
-}
-
 struct SelfCollision::Impl {
   std::vector<CollisionPair> pairs;
   std::vector<CollisionJoint> joints;
