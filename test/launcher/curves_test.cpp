@@ -46,7 +46,7 @@ TEST(Curves, APadThatTurnsAsFastAsItCanIsNeverStoppedByTheGuard) {
     }
     EXPECT_EQ(run.loop().status().mode, Mode::kWalk);
   }
-  EXPECT_GT(turned, 10);
+  EXPECT_GT(turned, static_cast<std::int64_t>(4 * test::rounds(std::uint64_t{3})));
 }
 
 }  // namespace
