@@ -177,7 +177,8 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     const double asked = std::clamp(command.q[i] + fade.h0 * s.from_q + fade.h1 * fade_s_ * s.from_v, s.lower, s.upper);
     if (commands > 0.0 && changed_) {
       s.client_speed = s.step = static_cast<double>(command.qd[i]);
-      s.client_q = s.heard_q = s.q = command.q[i];
+      s.client_q = command.q[i];
+      if ((held_now_ & bit_of(i)) == 0) s.heard_q = s.q = std::clamp(command.q[i], s.lower, s.upper);
     } else if (commands > 0.0) {
       const double moved = (command.q[i] - s.client_q) / (commands * period_);
       s.client_speed = agreed(moved, s.step);  // a step of a policy is none

@@ -28,6 +28,7 @@ struct BusLink::Impl {
     bus.listen<&StackMonitor::on_state>(channel::kState, seen);
     for (const Channel<RobotState>& own : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay})
       bus.listen<&StackMonitor::on_standby_state>(own, seen);
+    bus.listen<&StackMonitor::on_estimate>(channel::kEstimate, seen);
     bus.listen<&StackMonitor::on_command>(channel::kCommand, seen);
     bus.listen<&StackMonitor::on_source_status>(channel::kSourceStatus, seen);
     bus.listen<&StackMonitor::on_heartbeat>(channel::kHeartbeat, seen);

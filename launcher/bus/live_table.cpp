@@ -5,7 +5,6 @@
 #include "common/process/command_word.h"
 #include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
-#include "lcmtypes/msg/lies_down.h"
 #include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/status.h"
 
@@ -130,7 +129,7 @@ std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now
   if (is_paused(seen, now_ns)) lines.push_back("the simulated world is paused: ./twinbus sim go");
   const bool fell = seen.figures().fell;
   if (fell) lines.push_back("the robot has fallen: ./twinbus sim reset puts a simulated one on its feet");
-  if (!fell && active != nullptr && lies_down(active->state))
+  if (!fell && active != nullptr && active->lies)
     lines.push_back("the robot lies: put it on its feet, then ./twinbus clear and ./twinbus mode balance" +
                     std::string(active->status.source == SourceKind::kBridge
                                     ? " (a stand-in robot stands up only with a new stack: ./twinbus up)"

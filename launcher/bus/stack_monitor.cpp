@@ -9,6 +9,7 @@
 
 #include "common/math/pose_math.h"
 #include "common/text/printable.h"
+#include "lcmtypes/msg/lies_down.h"
 #include "lcmtypes/msg/pace.h"
 
 namespace twinbus::inline launcher {
@@ -58,6 +59,10 @@ void StackMonitor::on_state(const RobotState& state, std::int64_t now_ns) {
   keep(state, true, now_ns);
   state_.add(state.tick, now_ns);
   newest_state_ = state;
+}
+
+void StackMonitor::on_estimate(const Estimate& estimate, std::int64_t /*now_ns*/) {
+  if (auto* source = slot(sources_, estimate.run_id)) source->lies = lies_down(estimate);
 }
 
 void StackMonitor::on_command(const JointCommand& command, std::int64_t now_ns) {

@@ -24,6 +24,7 @@ struct SeenSource {
   Meter states;               // on whichever channel
   RobotState state{};         // the newest one
   bool on_state = false;      // the newest one came on STATE
+  bool lies = false;          // its robot, by its newest estimate
 };
 
 struct SeenProcess {
@@ -54,6 +55,7 @@ class StackMonitor {
  public:
   void on_state(const RobotState& state, std::int64_t now_ns);          // on STATE
   void on_standby_state(const RobotState& state, std::int64_t now_ns);  // on STATE_SIM, STATE_BRIDGE or STATE_REPLAY
+  void on_estimate(const Estimate& estimate, std::int64_t now_ns);
   void on_command(const JointCommand& command, std::int64_t now_ns);
   void on_source_status(const SourceStatus& status, std::int64_t now_ns);
   void on_heartbeat(const Heartbeat& beat, std::int64_t now_ns);

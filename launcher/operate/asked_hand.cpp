@@ -12,7 +12,7 @@ namespace twinbus::inline launcher {
 const Hand& asked_hand(const std::string& where, const Model& model, const std::string& name) {
   if (const Hand* hand = hand_called(model, name)) return *hand;
   const std::string names = hand_names(model);
-  if (names.empty()) throw std::runtime_error(where + ": " + model.name + " has no hand (robot.yaml, hands)");
+  if (names.empty()) throw std::runtime_error(model.name + " has no hand (robot.yaml, hands)");
   std::vector<std::string> known;
   for (const Hand* hand : hands_of(model)) known.push_back(hand->name);
   const std::string near = nearest_name(name, known);

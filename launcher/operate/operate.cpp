@@ -15,7 +15,6 @@
 #include "launcher/bus/bus_link.h"
 #include "launcher/commands/commands.h"
 #include "lcmtypes/msg/labels.h"
-#include "lcmtypes/msg/lies_down.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
 #include "robot/kinematics/pose_request.h"
@@ -294,7 +293,7 @@ taken on.
   }
   if (was_stopped && bus.seen().figures().fell)
     print_typed(stdout, "clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
-  else if (was_stopped && lies_down(bus.seen().source(run)->state))
+  else if (was_stopped && bus.seen().source(run)->lies)
     print_typed(stdout, "clear: the robot lies: put it on its feet, then ./twinbus mode balance\n");
   return 0;
 }

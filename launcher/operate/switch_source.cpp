@@ -198,6 +198,7 @@ int activate(BusLink& bus, SourceKind kind, std::int64_t wanted_run) {
   request.action = SourceAction::kActivate;
   request.policy = SwitchPolicy::kNow;
   request.run_id = request.target_run_id = target.status.run_id;
+  Refusal why = Refusal::kNone;  // of one of our own requests
   const std::int64_t begin = monotonic_ns();
   while (!quit_requested() && seconds_since(begin) < kActivation) {
     bus.send(request);
@@ -205,6 +206,7 @@ int activate(BusLink& bus, SourceKind kind, std::int64_t wanted_run) {
     const SeenSource* source = bus.seen().source(target.status.run_id);
     if (source == nullptr) continue;
     if (source->status.refusal != Refusal::kNone && source->status.refusal_sequence == request.sequence) {
+      why = source->status.refusal;
       request.sequence = 0;  // a new one: a refusal answers one sequence, and its reason may have gone since
       bus.listen(kAfterRefusal);
     }
@@ -212,8 +214,6 @@ int activate(BusLink& bus, SourceKind kind, std::int64_t wanted_run) {
     print_typed(stdout, "switch: nobody was active; %s is now\n", describe(*source).c_str());
     return 0;
   }
-  const SeenSource* source = bus.seen().source(target.status.run_id);
-  const Refusal why = source != nullptr ? source->status.refusal : Refusal::kNone;
   print_typed(stderr, "switch: refused: %s\n",
                why != Refusal::kNone ? refusal_text(why) : "no answer in time");
   return 1;

@@ -117,7 +117,10 @@ void take_limits(ParallelJoints& pair, Model& model) {
   Eigen::Vector2d speed;
   for (int i = 0; i < 2; ++i) {
     const double own = joints[static_cast<std::size_t>(i)]->velocity;
-    speed[i] = own > 0.0 && std::isfinite(own) ? own : kAnySpeed;
+    // Without a limit of its own: what the motors give it alone.
+    const Eigen::Array2d asked(std::abs(rest.jacobian(0, i)), std::abs(rest.jacobian(1, i)));
+    const Eigen::Array2d given(pair.drive.motor(0).speed, pair.drive.motor(1).speed);
+    speed[i] = own > 0.0 && std::isfinite(own) ? own : std::min(kAnySpeed, (given / asked.max(1e-9)).minCoeff());
   }
   speed = speed_box(pair.drive, {middle_of(limits), middle_of(limits)}, speed);
   const Eigen::Vector2d torque = torque_alone(pair.drive, rest);

@@ -49,7 +49,10 @@ bool servo_of_motors(const RodDrive& drive, const PairServo& joints, const Eigen
   motors.kd = gains_of_motors(posture.jacobian, joints.kd);
   const Eigen::Vector2d wanted = joints.kp.cwiseProduct(joints.q - q_now) + joints.tau;
   motors.tau = posture.jacobian.transpose().inverse() * wanted - motors.kp.cwiseProduct(motors.q - posture.motors);
-  return motors.tau.allFinite();
+  if (!motors.tau.allFinite()) return false;
+  const Eigen::Vector2d most = drive.torque_limits();
+  motors.tau = motors.tau.cwiseMax(-most).cwiseMin(most);
+  return true;
 }
 
 bool servo_of_joints(const RodDrive& drive, const PairServo& motors, const Eigen::Vector2d& q_now, const Eigen::Vector2d& qd_now,

@@ -87,15 +87,18 @@ bool RodDrive::at(const Eigen::Vector2d& q, RodPosture& posture) const noexcept 
 }
 
 bool RodDrive::joints(const Eigen::Vector2d& motors, Eigen::Vector2d& q, RodPosture& posture) const noexcept {
+  if (!motors.allFinite()) return false;  // a greatest coefficient passes by a NaN
   Eigen::Vector2d now = q;
+  RodPosture reached;
   for (int round = 0; round < kRounds; ++round) {
-    if (!at(now, posture) || !(posture.foot_share > 0.0)) return false;
-    const Eigen::Vector2d miss = motors - posture.motors;
+    if (!at(now, reached) || !(reached.foot_share > 0.0)) return false;
+    const Eigen::Vector2d miss = motors - reached.motors;
     if (miss.cwiseAbs().maxCoeff() <= kFound) {
       q = now;
+      posture = reached;
       return true;
     }
-    Eigen::Vector2d step = posture.jacobian.inverse() * miss;
+    Eigen::Vector2d step = reached.jacobian.inverse() * miss;
     const double most = step.cwiseAbs().maxCoeff();
     if (!std::isfinite(most)) return false;
     if (most > kFarthest) step *= kFarthest / most;

@@ -57,7 +57,8 @@ class RodDrive {
   // Closed form.  q: first and second joint [rad].  False: a rod is too short or too long, or a lever is lost altogether; posture
   // is then not to be used.
   [[nodiscard]] bool at(const Eigen::Vector2d& q, RodPosture& posture) const noexcept;
-  // The joints of these motor angles, by Newton's method from `q`, which should be near.  False: none was found; q is as it was.
+  // The joints of these motor angles, by Newton's method from `q`, which should be near.  False: none was found, or a motor
+  // angle is no number; q and posture are as they were.
   [[nodiscard]] bool joints(const Eigen::Vector2d& motors, Eigen::Vector2d& q, RodPosture& posture) const noexcept;
 
   const RodMotor& motor(int which) const noexcept { return motors_[static_cast<std::size_t>(which)]; }

@@ -220,7 +220,7 @@ class ArmPlaces {
         if (body.solid.shape == SolidShape::kCapsule) thing.size.y() += 2.0 * size.x();
         const Eigen::Isometry3d hand = k_.link_in_world(hand_.link) * hand_.frame;
         thing.pose = hand.inverse() * Eigen::Translation3d(ground_) * put(p, body.start.pose);
-        thing.hand = &hand_ == model_.hands.data() ? 0 : 1;
+        thing.hand = number_of(model_, hand_);
       }
     }
     return held;
@@ -410,14 +410,13 @@ class ArmPlaces {
 
 std::string words(const Placement& p) {
   std::string text;
-  const auto add = [&](const char* format, double value) {
-    text += (text.empty() ? "for this arm " : ", ") + formatted(format, value);
-  };
+  const auto say = [&](const std::string& what) { text += (text.empty() ? "for this arm " : ", ") + what; };
+  const auto add = [&](const char* format, double value) { say(formatted(format, value)); };
   if (p.turn != 0.0) add("the places are turned by %.0f degrees", p.turn * kDegrees);
   if (p.share != 1.0) add("lengths are x%.2f", p.share);
   if (p.up != 0.0) add(p.up > 0.0 ? "all is %.2f arm lengths higher" : "all is %.2f arm lengths lower", std::abs(p.up));
   if (p.tilt != 0.0) add("the hand points %.0f degrees outwards from where it was to point", p.tilt * kDegrees);
-  if (p.spins) add("the hand is turned about where it points as its joints can%.0s", 0.0);
+  if (p.spins) say("the hand is turned about where it points as its joints can");
   return text;
 }
 

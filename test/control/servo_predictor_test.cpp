@@ -345,6 +345,21 @@ TEST(ServoPredictor, WhereAHeldJointIsHeldIsSeenByItsTorque) { EXPECT_TRUE(is_ta
 // A robot that measures no torque says 0: that tells nothing of its servo.
 TEST(ServoPredictor, AHeldJointWhoseTorqueIsNotMeasuredStaysWhereItWasTaken) { EXPECT_FALSE(is_taken_from_there(0.0F)); }
 
+// What is held has the set-point where it is held, whichever source has the robot and wherever the client wants it.
+TEST(ServoPredictor, AHeldJointStaysWhereItIsHeldWhenTheSourceChanges) {
+  ServoRig f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  const std::int64_t mask = std::int64_t{1} << elbow;
+  f.soften(elbow, 60.0F, 1.0F);
+  for (int i = 0; i < 20; ++i) f.look(mask);
+  f.command.q[elbow] += 0.25;
+  f.look(mask);
+  const double before = f.servos.if_held(elbow).rest();
+  f.servos.change_source();
+  for (int i = 0; i < 3; ++i) f.look(mask);
+  EXPECT_NEAR(f.servos.if_held(elbow).rest(), before, 0.01);
+}
+
 TEST(ServoPredictor, MasksLookedAtTogetherAreWhatEachIsAlone) {
   ServoRig f, alone;
   const std::size_t elbow = bus("LARM_ELBOW"), shoulder = bus("RARM_SHOULDER_P");

@@ -82,23 +82,25 @@ TEST(ActingLines, NameWhatIsWrongWithItsRemedy) {
   EXPECT_FALSE(has(acting_lines(fallen, kNow), "is stopped"));  // of it, and reset ends that too
 }
 
-RobotState lying() {
-  RobotState state;
-  state.run_id = 7;
-  state.role = Role::kActive;
-  state.sensor_flags = kImuValid;
-  state.attitude = {0.70710678F, 0.0F, -0.70710678F, 0.0F};  // on its back
-  return state;
+Estimate lying() {
+  Estimate estimate;
+  estimate.run_id = 7;
+  estimate.base_attitude = {0.70710678, 0.0, -0.70710678, 0.0};  // on its back
+  return estimate;
 }
 
-// A hardware bridge knows no truth: the robot's own attitude tells.
+// A hardware bridge knows no truth: its own estimate tells, however the IMU is built in.
 TEST(ActingLines, ARobotThatLiesIsNamedWithoutASimulator) {
   StackMonitor seen = healthy(source_of(SourceKind::kBridge, Role::kActive, 7));
-  RobotState state = lying();
-  seen.on_state(state, kNow);
+  Estimate estimate = lying();
+  seen.on_estimate(estimate, kNow);
   EXPECT_TRUE(has(acting_lines(seen, kNow), "the robot lies: put it on its feet"));
-  state.attitude = {1.0F, 0.0F, 0.0F, 0.0F};
-  seen.on_state(state, kNow);
+  estimate.velocity_from = VelocityFrom::kFixed;  // an arm that hangs on a wall
+  seen.on_estimate(estimate, kNow);
+  EXPECT_TRUE(acting_lines(seen, kNow).empty());
+  estimate = {};
+  estimate.run_id = 7;
+  seen.on_estimate(estimate, kNow);
   EXPECT_TRUE(acting_lines(seen, kNow).empty());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "bridge/adaptor/motor_space_adaptor.h"
 #include "common/allocation/no_alloc.h"
@@ -155,6 +156,37 @@ TEST_F(MotorSpaceTest, MotorAnglesThatNoPostureHasAreADeviceError) {
   far.q[bus(pairs.front(), 0)] = 0.0;
   far.q[bus(pairs.front(), 1)] = 1.5;
   EXPECT_EQ(adaptor.write(far), Status::kOutOfRange);
+}
+
+// A source goes on writing while reads fail.
+TEST_F(MotorSpaceTest, ReadsThatFailChangeNoTorqueOfTheMotors) {
+  MotorSpace space(model);
+  RobotState read = state;
+  ASSERT_TRUE(space.to_motors(read));
+  const RobotState good = read;
+  ASSERT_TRUE(space.to_joints(read));
+  JointCommand before = hold(), after = hold();
+  ASSERT_TRUE(space.to_motors(before));
+  for (const double off : {1.6, -1.3, std::numeric_limits<double>::quiet_NaN()}) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      RobotState lost = good;
+      lost.q[bus(pairs.front(), i)] += off;
+      if (space.to_joints(lost)) continue;  // some are a posture
+      after = hold();
+      ASSERT_TRUE(space.to_motors(after));
+      EXPECT_EQ(after.tau, before.tau) << off << " of motor " << i;
+    }
+  }
+}
+
+TEST_F(MotorSpaceTest, NoMotorIsSentMoreTorqueThanItsLimit) {
+  MotorSpace space(model);
+  JointCommand far = hold();
+  for (const ParallelJoints& pair : pairs) far.tau[bus(pair, 0)] = 1e4F;
+  ASSERT_TRUE(space.to_motors(far));
+  for (const ParallelJoints& pair : pairs) {
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_LE(std::abs(far.tau[bus(pair, i)]), pair.drive.torque_limits()[static_cast<int>(i)]);
+  }
 }
 
 TEST(MotorSpace, ARobotWithoutSuchJointsPassesAsItIs) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "robot/parallel/drive_torque.h"
@@ -101,8 +102,14 @@ TEST(RodDrive, TheJointsOfMotorAnglesAreFoundAgain) {
     EXPECT_LT((back - q).norm(), 1e-11);
   }
   Vector2d kept(0.1, 0.1);
-  EXPECT_FALSE(drive.joints({3.0, -3.0}, kept, found));
-  EXPECT_EQ(kept, Vector2d(0.1, 0.1));
+  found = p;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Vector2d& none : {Vector2d(3.0, -3.0), Vector2d(nan, 0.0), Vector2d(p.motors[0], nan)}) {
+    EXPECT_FALSE(drive.joints(none, kept, found));
+    EXPECT_EQ(kept, Vector2d(0.1, 0.1));
+    EXPECT_EQ(found.motors, p.motors);
+    EXPECT_EQ(found.jacobian, p.jacobian);
+  }
 }
 
 TEST(RodDrive, CranksThatAreParallelToTheFootGiveTheAnglesOfAParallelogram) {

@@ -206,7 +206,9 @@ TEST(MarkFinder, NamesSwitchStopFallGuardMissedAndMessagesOnce) {
   say(3);
   state.stop_kind = StopKind::kNone;
   say(3);
-  state.attitude = {0.6F, 0.8F, 0, 0};
+  Estimate estimate;
+  estimate.base_attitude = {0.6, 0.8, 0, 0};
+  for (int i = 0; i < 3; ++i) finder.on_estimate(estimate, at += 2000);
   say(3);
   at += 100'000;
   say(3);

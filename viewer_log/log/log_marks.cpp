@@ -53,13 +53,14 @@ void MarkFinder::on_state(const RobotState& state, std::int64_t utime) {
     if (state.stop_kind != StopKind::kNone) text += label(state.stop_kind);
     add(utime, MarkKind::kStop, std::move(text));
   }
-  if ((state.sensor_flags & kImuValid) != 0) {
-    const bool now = !lies_down(state);
-    if (upright_ && !now) add(utime, MarkKind::kFall, "tilted by more than 60 degrees");
-    upright_ = now;
-  }
   last_ = state;
   last_state_utime_ = utime;
+}
+
+void MarkFinder::on_estimate(const Estimate& estimate, std::int64_t utime) {
+  const bool now = !lies_down(estimate);
+  if (upright_ && !now) add(utime, MarkKind::kFall, "tilted by more than 60 degrees");
+  upright_ = now;
 }
 
 void MarkFinder::on_guard(const GuardReport& report, std::int64_t utime) {

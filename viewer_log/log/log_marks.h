@@ -30,6 +30,7 @@ class MarkFinder {
   explicit MarkFinder(std::int64_t first_utime) : first_utime_(first_utime) {}
 
   void on_state(const RobotState& state, std::int64_t utime);
+  void on_estimate(const Estimate& estimate, std::int64_t utime);
   void on_guard(const GuardReport& report, std::int64_t utime);
   void on_source_status(const SourceStatus& status, std::int64_t utime);
   void on_event(const Event& event, std::int64_t utime);

@@ -52,6 +52,8 @@ class MessageFeed : public LogFeed {
     const std::string_view name = event.channel.substr(prefix_.size());
     if (name == channel::kState) {
       pass<&MarkFinder::on_state>(event, finder, event.utime);
+    } else if (name == channel::kEstimate) {
+      pass<&MarkFinder::on_estimate>(event, finder, event.utime);
     } else if (name == channel::kGuard) {
       pass<&MarkFinder::on_guard>(event, finder, event.utime);
     } else if (name == channel::kSourceStatus) {
