@@ -44,7 +44,7 @@ constexpr Command kCommands[] = {
     {"policy", "run a learned policy (ONNX) as the controller, check it, map it", &policy_command},
     {"face", "answer as a Unitree robot on DDS, for programs written for it", &face_command},
     {"push", "push the simulated robot", &push_command},
-    {"sim", "pause, single steps, slow motion, reset of the simulated world", &sim_command},
+    {"sim", "pause, single steps, slow motion, reset: a robot that has fallen stands again", &sim_command},
     {"replay", "play a log as a source of STATE", &replay_command},
     {"view", "look at a log in the browser, two on one timeline", &view_command},
     {"record", "record the bus into a log", &record_command},

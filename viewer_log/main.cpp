@@ -118,6 +118,7 @@ class Viewer {
     walk_.message.sender_id = node_.id();
     sim_.message.sender_id = node_.id();
     goal_.message.sender_id = node_.id();
+    view_.say_stand_in(!arguments.run_folder.empty() && std::filesystem::exists(arguments.run_folder + "/setup/stand_in"));
     state_.admit_by(admit_);
     bus_.listen(channel::kState, state_);
     bus_.listen(channel::kCommand, command_);

@@ -130,10 +130,7 @@ std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now
   const bool fell = seen.figures().fell;
   if (fell) lines.push_back("the robot has fallen: ./twinbus sim reset puts a simulated one on its feet");
   if (!fell && active != nullptr && active->lies)
-    lines.push_back("the robot lies: put it on its feet, then ./twinbus clear and ./twinbus mode balance" +
-                    std::string(active->status.source == SourceKind::kBridge
-                                    ? " (a stand-in robot stands up only with a new stack: ./twinbus up)"
-                                    : ""));
+    lines.push_back("the robot lies: put it on its feet, then ./twinbus clear and ./twinbus mode balance; a stand-in robot: ./twinbus sim reset");
   for (const SeenSource* source : sources) {
     const SourceStatus& s = source->status;
     if (s.stop_kind != StopKind::kNone && !fell)

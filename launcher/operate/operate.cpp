@@ -294,7 +294,7 @@ taken on.
   if (was_stopped && bus.seen().figures().fell)
     print_typed(stdout, "clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
   else if (was_stopped && bus.seen().source(run)->lies)
-    print_typed(stdout, "clear: the robot lies: put it on its feet, then ./twinbus mode balance\n");
+    print_typed(stdout, "clear: the robot lies: put it on its feet, then ./twinbus mode balance; a stand-in robot: ./twinbus sim reset\n");
   return 0;
 }
 

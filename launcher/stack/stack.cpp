@@ -121,6 +121,13 @@ bool moves_hardware(const Stack& stack) {
                      [](const StackProcess& p) { return p.hardware || p.program == "twinbus_bridge"; });
 }
 
+bool is_stand_in(const StackProcess& process) {
+  constexpr const char* kStandIn = "emulated_robot";  // the program and its adaptor, which speaks to nothing else
+  if (process.hardware || process.program != "twinbus_bridge") return !process.hardware && process.program == kStandIn;
+  const auto at = std::find(process.arguments.begin(), process.arguments.end(), "--adaptor");
+  return at != process.arguments.end() && at + 1 != process.arguments.end() && *(at + 1) == kStandIn;
+}
+
 std::vector<std::string> stack_names() {
   std::vector<std::string> names;
   std::error_code ignored;

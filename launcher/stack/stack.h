@@ -58,6 +58,9 @@ std::vector<std::string> stack_names();
 // Whether any process of it has motors behind it, or something that stands in for them.
 bool moves_hardware(const Stack& stack);
 
+// Whether it is the stand-in robot, or the bridge to one: nothing of it is more than simulated.
+bool is_stand_in(const StackProcess& process);
+
 // The arguments with placeholders filled in.  Throws std::runtime_error naming an unknown one.
 using Placeholders = std::map<std::string, std::vector<std::string>>;
 std::vector<std::string> fill_in(const StackProcess& process, const Placeholders& values);

@@ -13,8 +13,14 @@ namespace {
 constexpr int kMostRestarts = 5;
 constexpr int kLastLines = 6;
 
+std::uintmax_t size_of(const std::string& file) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  return none ? 0 : size;
+}
+
 // The first line of a child's output is its sign of life where it has no bus.
-bool has_output(const std::string& log_file) { return !tail_of(log_file, 1).empty(); }
+bool has_output(const Supervised& one) { return size_of(one.spec.log_file) > one.log_begin; }
 
 std::string last_lines_of(const Child& child) {
   std::string text;
@@ -52,6 +58,7 @@ void Supervisor::start(Supervised& one, std::int64_t now_ns) {
   one.ready = false;
   one.started_ns = now_ns;
   one.child.clear();
+  one.log_begin = size_of(one.spec.log_file);
   one.child.emplace_back(one.spec);
 }
 
@@ -73,7 +80,7 @@ void Supervisor::start_more(std::int64_t now_ns) {
       throw std::runtime_error("process '" + one.process.name + "' ended before it was ready: " +
                                child.how_it_ended() + last_lines_of(child));
     }
-    if (one.process.ready_when == ReadyWhen::kLine && has_output(one.spec.log_file))
+    if (one.process.ready_when == ReadyWhen::kLine && has_output(one))
       one.ready = true;
     if (!one.ready &&
         1e-9 * static_cast<double>(now_ns - one.started_ns) > one.process.ready_timeout) {
@@ -144,15 +151,25 @@ std::int32_t Supervisor::pid_of(const std::string& name) const {
   return 0;
 }
 
+bool Supervisor::waits(const Supervised& one) const {
+  return std::any_of(processes_.begin(), processes_.end(), [&](const Supervised& other) {
+    const std::vector<std::string>& after = one.process.after;
+    if (other.died || std::find(after.begin(), after.end(), other.process.name) == after.end()) return false;
+    return other.asked_anew || (other.process.ready_when == ReadyWhen::kLine && !other.ready);
+  });
+}
+
 void Supervisor::watch(std::int64_t now_ns) {
   for (Supervised& one : processes_) {
     if (one.child.empty()) continue;
+    if (one.process.ready_when == ReadyWhen::kLine && !one.ready && has_output(one)) one.ready = true;
     const double asked_for = 1e-9 * static_cast<double>(now_ns - one.asked_ns);
     if (one.asked_anew && asked_for > one.process.grace && one.child.front().running())
       one.child.front().kill_group();
     if (!one.child.front().take_end() && !(one.asked_anew && !one.child.front().running()))
       continue;
     if (one.asked_anew) {
+      if (waits(one)) continue;
       one.asked_anew = false;
       start(one, now_ns);
       continue;

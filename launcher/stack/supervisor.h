@@ -25,6 +25,7 @@ struct Supervised {
   bool asked_anew = false;  // by hand: started again when it has ended
   std::int64_t asked_ns = 0;
   std::int64_t started_ns = 0;
+  std::uintmax_t log_begin = 0;  // where in its log file the output of this start begins [bytes]
 };
 
 class Supervisor {
@@ -46,7 +47,8 @@ class Supervisor {
 
   // Reports each death once, restarts what may be.
   void watch(std::int64_t now_ns);
-  // Ends a process and starts it again, or starts one that had died.  A sentence when it cannot be.
+  // Ends a process and starts it again, or starts one that had died.  Of several that are asked for, one that waits for another
+  // of them starts when that has started; one that waits for a line of output, when that has come.  A sentence when it cannot be.
   std::string restart(const std::string& name, std::int64_t now_ns);
   // What processes are given when they are started from now on.  Throws as fill_in.
   void fit(const Placeholders& placeholders);
@@ -64,6 +66,7 @@ class Supervisor {
 
  private:
   void start(Supervised& one, std::int64_t now_ns);
+  bool waits(const Supervised& one) const;
   void report_end(const Supervised& one, const Child& child) const;
 
   std::vector<Supervised> processes_;

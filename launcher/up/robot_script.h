@@ -20,6 +20,8 @@ class RobotScript {
     base_ += kMostSequences;
   }
 
+  void end() { script_.reset(); }
+
   // With every newest STATE: send(request) with each request that has become due.  A launcher hears a state in ten: what
   // was due at a tick between is said now.
   template <class Send>

@@ -27,7 +27,7 @@ constexpr char kAgain[] = "{\"again\": true}";        // begin anew as before
 constexpr double kMostStart = 10.0;                  // [s]
 
 bool concerns(const StackProcess& process, bool other_robot) {
-  if (other_robot && process.program == "twinbus_viewer") return true;
+  if ((other_robot && process.program == "twinbus_viewer") || is_stand_in(process)) return true;
   constexpr std::array<const char*, 4> kPrograms = {"twinbus_simulator", "twinbus_controller",
                                                     "twinbus_guard", "twinbus_planner"};
   return std::find(kPrograms.begin(), kPrograms.end(), process.program) != kPrograms.end();
@@ -46,9 +46,10 @@ std::string answered(const std::string& sentence, const Write& write) {
 
 }  // namespace
 
-SetupWishes::SetupWishes(const std::string& folder, Setup now)
-    : folder_(folder), now_(std::move(now)) {
+SetupWishes::SetupWishes(const std::string& folder, Setup now, const Stack& stack)
+    : folder_(folder), now_(std::move(now)), stand_in_(std::any_of(stack.processes.begin(), stack.processes.end(), is_stand_in)) {
   fs::create_directories(folder_);
+  if (stand_in_) write_file(folder_ + "/stand_in", "the robot behind the bridge is simulated: it begins anew with the rest\n");
 }
 
 std::string SetupWishes::take(std::int64_t now_ns) {
@@ -66,16 +67,14 @@ std::string SetupWishes::take(std::int64_t now_ns) {
   return wish;
 }
 
-Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, const Stack& stack,
-                           const StackMonitor& seen) {
+Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, const Stack& stack, const StackProcess* active) {
   for (const StackProcess& process : stack.processes) {
     if (process.hardware) throw std::runtime_error("this stack moves a real robot");
   }
-  const StackProcess* source = stack.find(stack.activate);
-  if (source == nullptr || source->program != "twinbus_simulator")
-    throw std::runtime_error("this stack does not begin with a simulator");
-  if (seen.newest_state().source != SourceKind::kSimulator)
-    throw std::runtime_error("switch to the simulator first");
+  const auto simulates = [](const StackProcess* process) { return process != nullptr && process->program == "twinbus_simulator"; };
+  const bool stand_in = wish == kAgain && active != nullptr && is_stand_in(*active);
+  if (!stand_in && !simulates(stack.find(stack.activate))) throw std::runtime_error("this stack does not begin with a simulator");
+  if (!stand_in && !simulates(active)) throw std::runtime_error("switch to the simulator first");
   if (wish != kAgain) {
     now_ = write_setup(wish, robot, folder_);
     keep_changes(wish);
@@ -116,8 +115,9 @@ void SetupWishes::keep_changes(const std::string& wish) const {
 std::string SetupWishes::answer(const std::string& wish, const std::string& problem) const {
   const bool again = wish == kAgain;
   const std::string sentence = !problem.empty() ? "not set up: " + problem
-                               : again          ? "the simulated world has begun anew"
-                                                : "set up as the page asked";
+                               : !again         ? "set up as the page asked"
+                               : stand_in_      ? "the simulated world has begun anew, and the stand-in robot with it"
+                                                : "the simulated world has begun anew";
   return answered(sentence, [&] {
     if (problem.empty() && !again) write_file(folder_ + "/now.json", wish);
     write_file(folder_ + "/answer", (problem.empty() ? "ok " : "no ") + sentence + "\n");
@@ -130,8 +130,30 @@ void fill_in(const Setup& setup, Placeholders& values) {
   values["engine"] = {"--engine", setup.engine};
 }
 
-void start_anew(const Stack& stack, bool other_robot, Supervisor& supervisor, BusLink& bus) {
-  const std::int32_t old = supervisor.pid_of(stack.activate);
+const StackProcess* holder_of_state(const Stack& stack, const Supervisor& supervisor, const StackMonitor& seen) {
+  const std::int64_t run = seen.newest_state().run_id;
+  for (const Supervised& one : supervisor.processes()) {
+    const std::int32_t pid = one.child.empty() ? 0 : one.child.front().pid();
+    const SeenProcess* process = pid > 0 ? seen.process_of_pid(pid) : nullptr;
+    if (process != nullptr && process->beat.process_id == run) return stack.find(one.process.name);
+  }
+  if (seen.active(monotonic_ns()) != nullptr) return nullptr;
+  const auto ended = [&](const Supervised& one) {
+    const bool simulates = seen.newest_state().source == SourceKind::kSimulator;
+    return one.child.empty() && one.process.program == (simulates ? "twinbus_simulator" : "twinbus_bridge");
+  };
+  const auto held = std::find_if(supervisor.processes().begin(), supervisor.processes().end(), ended);
+  return held == supervisor.processes().end() ? nullptr : stack.find(held->process.name);
+}
+
+bool begins_as_before(const std::string& wish) { return wish == kAgain; }
+
+std::string active_anew(const std::string& wish, const Stack& stack, const StackProcess* active) {
+  return !begins_as_before(wish) || active == nullptr || active->name == stack.shadow ? stack.activate : active->name;
+}
+
+void start_anew(const std::string& first, bool other_robot, Supervisor& supervisor, BusLink& bus) {
+  const std::int32_t old = supervisor.pid_of(first);
   for (const Supervised& one : supervisor.processes()) {
     if (!concerns(one.process, other_robot)) continue;
     const std::string refusal = supervisor.restart(one.process.name, monotonic_ns());
@@ -141,10 +163,9 @@ void start_anew(const Stack& stack, bool other_robot, Supervisor& supervisor, Bu
   while (!quit_requested()) {
     bus.receive(0.02);
     supervisor.watch(monotonic_ns());
-    const std::int32_t pid = supervisor.pid_of(stack.activate);
+    const std::int32_t pid = supervisor.pid_of(first);
     if (pid != 0 && pid != old && bus.seen().process_of_pid(pid) != nullptr) return;
-    if (seconds_since(begin) > kMostStart)
-      throw std::runtime_error("the simulator was not heard within 10 s");
+    if (seconds_since(begin) > kMostStart) throw std::runtime_error("'" + first + "' was not heard within 10 s");
   }
 }
 

@@ -115,7 +115,7 @@ int sim_command(const std::vector<std::string>& words) {
   const Arguments arguments({"sim", 1, 2, R"(pause | go | step [TICKS] | pace X | reset
 The simulated world of the running stack: stands still, goes on, does some ticks (default 1) and stands
 still, runs X times as fast as real time (0.01 to 10), or begins anew with its controller.  A robot behind
-the bridge does none of it.
+the bridge does none of it, but a stand-in robot begins anew too (reset), whether it is active or not.
   --prefix --url --allow)"}, words);
   const std::string what = arguments.word(0);
   const bool takes_number = what == "step" || what == "pace";

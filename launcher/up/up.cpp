@@ -65,7 +65,7 @@ class Up {
   void refuse_if_someone_publishes();
   void start_all();
   void note_ready();
-  void activate();
+  void activate(const std::string& name);
   void wait_for_first_commands();
   bool work();  // until the end; false if something broke
   void set_up(const std::string& wish);
@@ -82,6 +82,7 @@ class Up {
   Stack stack_;
   std::string report_, folder_, viewer_address_, watch_address_;
   bool terminal_ = isatty(STDOUT_FILENO) != 0;
+  std::string active_;  // the process that was made active last
   StateHash hash_;
   std::unique_ptr<BusLink> bus_;
   std::unique_ptr<Supervisor> supervisor_;
@@ -154,7 +155,7 @@ Up::Up(const Arguments& arguments) {
   restarts_ = std::make_unique<RestartRequests>(folder_);
   model_hash_ = model.hash;
   const Setup now{arguments.word(0, "stand"), request_.robot, request_.engine, model.hash};
-  wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup", now);
+  wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup", now, stack_);
 }
 
 void Up::say(const std::string& line) {
@@ -218,12 +219,12 @@ void Up::start_all() {
       [](const std::string& all, const std::string& one) { return all + " " + one; }));
 }
 
-void Up::activate() {
-  if (stack_.activate.empty()) return;
-  const SeenProcess* process = bus_->seen().process_of_pid(supervisor_->pid_of(stack_.activate));
+void Up::activate(const std::string& name) {
+  active_ = name;
+  if (name.empty()) return;
+  const SeenProcess* process = bus_->seen().process_of_pid(supervisor_->pid_of(name));
   if (process == nullptr)
-    throw std::runtime_error("'" + stack_.activate +
-                             "' sends no heartbeat, so it cannot be activated");
+    throw std::runtime_error("'" + name + "' sends no heartbeat, so it cannot be activated");
   SourceRequest request;
   request.action = SourceAction::kActivate;
   request.policy = SwitchPolicy::kNow;
@@ -250,9 +251,8 @@ void Up::activate() {
       throw std::runtime_error("a required process ended before the robot was running");
     if (seconds(begin, now) > kActivationTimeout) {
       const bool refused = source != nullptr && source->status.refusal != Refusal::kNone;
-      throw std::runtime_error(
-          "'" + stack_.activate + "' did not become active within 10 s" +
-          (refused ? std::string(": ") + refusal_text(source->status.refusal) : ""));
+      throw std::runtime_error("'" + name + "' did not become active within 10 s" +
+                               (refused ? std::string(": ") + refusal_text(source->status.refusal) : ""));
     }
   }
 }
@@ -283,7 +283,8 @@ void Up::wait_for_first_commands() {
   if (quit_requested()) return;
   start_ns_ = monotonic_ns();
   // A simulator says what its scene asks; a robot does not.
-  if (const StackProcess* first = stack_.find(stack_.activate); first != nullptr && first->program != "twinbus_simulator")
+  script_.end();
+  if (const StackProcess* first = stack_.find(active_); first != nullptr && first->program != "twinbus_simulator")
     script_.begin(requests_of(scene_), request_.period, bus_->seen().newest_state().tick);
   at_start_ = missed_so_far(bus_->seen(), start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
@@ -309,21 +310,23 @@ void Up::set_up(const std::string& wish) {
   bool dropped = false;
   held_back_ = &lines;
   try {
-    const Setup setup = wishes_->prepare(wish, request_.robot, stack_, bus_->seen());
+    const StackProcess* active = holder_of_state(stack_, *supervisor_, bus_->seen());
+    const Setup setup = wishes_->prepare(wish, request_.robot, stack_, active);
+    const std::string first = active_anew(wish, stack_, active);
     scene_ = load_scene(setup.scene);
     resolve_poses(scene_, load_robot(setup.robot));
     const Placeholders before = values_;
     fill_in(setup, values_);
-    values_["start"].clear();  // the wish names its own
+    if (!begins_as_before(wish)) values_["start"].clear();  // the wish names its own
     if (values_ != before && accuracy_->drop()) {
       values_["settings"] = own_settings_;
       request_.step_s = own_step_;
       dropped = true;
     }
     supervisor_->fit(values_);
-    start_anew(stack_, setup.model_hash != model_hash_, *supervisor_, *bus_);
+    start_anew(first, setup.model_hash != model_hash_, *supervisor_, *bus_);
     model_hash_ = setup.model_hash;
-    activate();
+    activate(first);
     wait_for_first_commands();
   } catch (const std::exception& error) {
     problem = error.what();
@@ -469,7 +472,7 @@ int Up::run() {
       ", bus " + bus_->url());
   for (const std::string& line : accuracy_->lines()) say(line);
   start_all();
-  if (!quit_requested()) activate();
+  if (!quit_requested()) activate(stack_.activate);
   if (!quit_requested()) wait_for_first_commands();
   bool good = true;
   if (start_ns_ != 0) {

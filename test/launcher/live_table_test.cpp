@@ -95,6 +95,7 @@ TEST(ActingLines, ARobotThatLiesIsNamedWithoutASimulator) {
   Estimate estimate = lying();
   seen.on_estimate(estimate, kNow);
   EXPECT_TRUE(has(acting_lines(seen, kNow), "the robot lies: put it on its feet"));
+  EXPECT_TRUE(has(acting_lines(seen, kNow), "a stand-in robot: ./twinbus sim reset"));
   estimate.velocity_from = VelocityFrom::kFixed;  // an arm that hangs on a wall
   seen.on_estimate(estimate, kNow);
   EXPECT_TRUE(acting_lines(seen, kNow).empty());

@@ -80,19 +80,13 @@ Stack simulated_stack() {
   return stack;
 }
 
-StackMonitor simulator_seen() {
-  RobotState state{};
-  state.source = SourceKind::kSimulator;
-  StackMonitor seen;
-  seen.on_state(state, 1);
-  return seen;
-}
-
 // The supervisor may start a process again with what it was started with: its robot and its pose are as they were.
 TEST(Setup, ASaveLeavesWhatRunsAndWhatBeginsAnewAsItIs) {
   const TemporaryFolder folder;
   SetupWishes wishes(folder.path(), {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0});
-  const auto started = wishes.prepare(kStarted, "hrp2p", simulated_stack(), simulator_seen());
+  const Stack stack = simulated_stack();
+  const StackProcess* const active = stack.find(stack.activate);
+  const auto started = wishes.prepare(kStarted, "hrp2p", stack, active);
   const std::string written = text_of(started.robot + "/robot.yaml");
   bool saved = false;
   const std::string said = wishes.save(kMoved, "hrp2p", saved);
@@ -101,12 +95,39 @@ TEST(Setup, ASaveLeavesWhatRunsAndWhatBeginsAnewAsItIs) {
   EXPECT_EQ(text_of(started.robot + "/robot.yaml"), written);
   EXPECT_EQ(load_robot(started.robot).hash, started.model_hash);
   EXPECT_GE(load_robot(started.robot).find_pose(kPagePose), 0);
-  const auto again = wishes.prepare(R"({"again": true})", "hrp2p", simulated_stack(), simulator_seen());
+  const auto again = wishes.prepare(R"({"again": true})", "hrp2p", stack, active);
   EXPECT_EQ(again.robot, started.robot);
   EXPECT_EQ(again.model_hash, started.model_hash);
   // The next that starts does not touch what was saved.
-  wishes.prepare(kStarted, "hrp2p", simulated_stack(), simulator_seen());
+  wishes.prepare(kStarted, "hrp2p", stack, active);
   EXPECT_EQ(load_robot(said.substr(said.find('/'))).soles[0].front, 0.11);
+}
+
+// A robot behind the bridge that is simulated: it begins anew as it was, and is set up otherwise only beside a simulator.
+TEST(Setup, AStandInRobotBeginsAnewAndARealOneNever) {
+  const TemporaryFolder folder;
+  const std::string again = R"({"again": true})";
+  for (const char* name : {"bridge", "both", "twin"}) {
+    Stack stack = load_stack(name);
+    SetupWishes wishes(folder.path() + "/" + name, {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0}, stack);
+    EXPECT_TRUE(fs::exists(folder.path() + "/" + name + "/stand_in")) << name;
+    const auto refusal = [&](const std::string& wish, const char* active) {
+      return error_of([&] { (void)wishes.prepare(wish, "hrp2p", stack, stack.find(active)); });
+    };
+    EXPECT_EQ(refusal(again, "bridge"), "") << name;
+    EXPECT_EQ(active_anew(again, stack, stack.find("bridge")), stack.shadow == "bridge" ? "simulator" : "bridge") << name;
+    EXPECT_NE(refusal(kStarted, "bridge"), "") << name;
+    EXPECT_NE(refusal(again, "nobody's"), "") << name;
+    for (StackProcess& process : stack.processes) {
+      if (process.name == "bridge") process.arguments = {"--adaptor", "of_a_robot"};
+    }
+    EXPECT_NE(refusal(again, "bridge"), "") << name;
+    for (StackProcess& process : stack.processes) process.hardware = process.name == "bridge";
+    EXPECT_NE(refusal(again, "simulator").find("real robot"), std::string::npos) << name;
+  }
+  const Stack alone = load_stack("sim");
+  const SetupWishes wishes(folder.path() + "/sim", {.scene = "stand", .robot = "hrp2p", .engine = "", .model_hash = 0}, alone);
+  EXPECT_FALSE(fs::exists(folder.path() + "/sim/stand_in"));
 }
 
 TEST(Setup, AnAnswerThatCannotBeWrittenIsToldAndEndsNothing) {

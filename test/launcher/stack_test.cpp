@@ -71,5 +71,20 @@ TEST(Stack, TheInstalledStacksAreValid) {
   for (const std::string& name : stack_names()) EXPECT_NO_THROW((void)load_stack(name)) << name;
 }
 
+// Only what can be nothing but simulated begins anew.
+TEST(Stack, AStandInRobotIsTheProgramAndTheBridgeToIt) {
+  const Stack both = load_stack("both");
+  for (const StackProcess& process : both.processes)
+    EXPECT_EQ(is_stand_in(process), process.name == "robot" || process.name == "bridge") << process.name;
+  StackProcess bridge = *both.find("bridge");
+  bridge.hardware = true;
+  EXPECT_FALSE(is_stand_in(bridge));
+  bridge.hardware = false;
+  bridge.arguments = {"--adaptor", "unitree_dds"};
+  EXPECT_FALSE(is_stand_in(bridge));
+  bridge.arguments = {"--adaptor"};
+  EXPECT_FALSE(is_stand_in(bridge));
+}
+
 }  // namespace
 }  // namespace twinbus

@@ -27,6 +27,27 @@ def refused(checks, bus, *expected):
     checks.that(status == 1 and asked == 0 and all(words in problem for words in expected), f"reach: {problem}, {asked} goals")
 
 
+def robot_begins_anew(checks, name):
+    """A stand-in robot behind the bridge that has fallen stands again, with its source active and no stop left."""
+    bus = Bus()
+    checks.that(cli("stop", "off")[0] == 0, f"{name}: stop off")
+    _, lies = bus.wait_for("STATE", lambda s: 1 - 2 * (s.attitude[1] ** 2 + s.attitude[2] ** 2) < 0.5, 15.0)
+    checks.that(lies is not None, f"{name}: it falls")
+    time.sleep(1.0)
+    said = cli("status")[1]
+    checks.that("a stand-in robot: ./twinbus sim reset" in said, f"{name}: status names the way out: {said[:300]}")
+    run = bus.newest("STATE")[1].run_id
+    status, said, problem = cli("sim", "reset", timeout=60)
+    checks.that(status == 0 and "begun anew, and the stand-in robot with it" in said, f"{name}: reset: {said}{problem}")
+    time.sleep(1.5)
+    state, controller = bus.newest("STATE")[1], bus.newest("CONTROLLER_STATUS")[1]
+    checks.that(state.run_id != run and state.source == 2 and state.stop_kind == 0, f"{name}: a new bridge is active: {state.source} {state.stop_kind}")
+    checks.that(state.attitude[0] > 0.99 and controller.mode == BALANCE, f"{name}: and balances: {state.attitude[0]:.3f}, mode {controller.mode}")
+    said = cli("status")[1]
+    checks.that("lies" not in said and "stopped" not in said, f"{name}: nothing is left to act on: {said[:300]}")
+    bus.close()
+
+
 def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard")
     checks = Checks()
@@ -141,8 +162,10 @@ def main():
         for words in (("push", "CHEST", "40", "0", "0"), ("sim", "pause")):
             status, _, problem = cli(*words)
             checks.that(status == 1 and "not a simulator" in problem, f"{words[0]} a robot: {problem}")
-        status, _, problem = cli("sim", "reset", timeout=40)
-        checks.that(status == 1 and "switch to the simulator first" in problem, f"reset with a robot: {problem}")
+        robot_begins_anew(checks, "bridge")
+    with Stack("stand", "--stack", "bridge", "--no-viewer"):
+        time.sleep(1.0)
+        robot_begins_anew(checks, "bridge alone")
     checks.exit()
 
 

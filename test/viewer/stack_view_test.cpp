@@ -243,6 +243,20 @@ TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
   EXPECT_EQ(health.level, HealthLevel::kBad);
   EXPECT_NE(health.text.find("fallen"), std::string::npos);
   EXPECT_NE(health.remedy.find("Clear"), std::string::npos);
+  EXPECT_FALSE(health.anew);
+}
+
+TEST(Health, AStandInRobotThatHasFallenBeginsAnew) {
+  StackView view(model());
+  view.say_stand_in(true);
+  RobotState state = standing();
+  state.attitude = {0.70710678F, 0.0F, -0.70710678F, 0.0F};
+  view.on_state(state, kStackStart);
+  EXPECT_TRUE(assess(view, kStackStart).anew);
+  EXPECT_NE(assess(view, kStackStart).remedy.find("Start anew"), std::string::npos);
+  state.source = SourceKind::kReplay;  // a log lies as it lay
+  view.on_state(state, kStackStart);
+  EXPECT_FALSE(assess(view, kStackStart).anew);
 }
 
 TEST(Health, AnotherRobotIsNamed) {

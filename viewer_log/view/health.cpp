@@ -47,6 +47,12 @@ Health without_state(const StackView& view, std::int64_t now_ns) {
           formatted("The source has been silent for %.1f s: its process has ended or hangs.", view.state().age(now_ns))};
 }
 
+// A robot that is simulated.
+Health fallen(bool stopped) {
+  return {HealthLevel::kBad, std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
+          stopped ? "Start anew sets it on its feet." : "Press STOP, then Start anew.", true};
+}
+
 // The real-time factor says something only where time is meant to be real.
 bool paced(const StackView& view, std::int64_t now_ns) {
   const Pace pace = pace_of(view, now_ns);
@@ -70,13 +76,12 @@ Health assess(const StackView& view, std::int64_t now_ns) {
   const bool stopped = state.stop_kind != StopKind::kNone;
   const bool lies = view.model().floating_base && view.estimator().tilt() > kLies;
   if (((stopped && reason == StopReason::kFallen) || lies) && !view.truth_applies(now_ns)) {
+    if (view.stand_in() && state.source == SourceKind::kBridge) return fallen(stopped);
     return {HealthLevel::kBad, std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
             stopped ? "Put it on its feet, then press Clear." : "Put it on its feet, then ask for balance."};
   }
   if (view.truth_applies(now_ns) && view.truth().value.fell) {
-    return {HealthLevel::kBad,
-            std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
-            stopped ? "Start anew sets it on its feet." : "Press STOP, then Start anew.", true};
+    return fallen(stopped);
   }
   if (state.role == Role::kStopped || state.stop_kind != StopKind::kNone) {
     const std::string why = reason != StopReason::kNone ? std::string(", by ") + label(reason) : "";

@@ -80,6 +80,10 @@ class StackView {
   void on_totals(std::int64_t states, std::int64_t commands, std::int64_t guards,
                  std::int64_t now_ns);
 
+  // The robot behind the bridge is a stand-in, which begins anew with its stack.
+  void say_stand_in(bool stand_in) { stand_in_ = stand_in; }
+  bool stand_in() const { return stand_in_; }
+
   const Model& model() const { return *model_; }
   const Heard<RobotState>& state() const { return state_; }
   // How long STATE has been heard without a pause: what was not heard in a shorter time may not be silent. [s]
@@ -136,6 +140,7 @@ class StackView {
   void anchor_truth();
 
   const Model* model_;
+  bool stand_in_ = false;
   Estimator estimator_;
   Heard<RobotState> state_, standby_;
   std::int64_t state_since_ns_ = 0;
