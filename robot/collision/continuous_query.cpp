@@ -157,6 +157,7 @@ Collision::PathPlaces Collision::PathSearch::along(const Eigen::Isometry3d& base
 }
 
 Collision::Impl& Collision::PathPlaces::impl() const noexcept {
+  static_cast<void>(path_);  // of what is built without asserts, too
   assert(impl_->path == path_);
   return *impl_;
 }
