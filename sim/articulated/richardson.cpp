@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
+#include "sim/articulated/joint_law.h"
+
 namespace twinbus::inline sim {
 
 namespace {
 
 constexpr double kLever = 0.1;  // at which a turn is looked at [m]
+constexpr double kStopSlack = 1e-9;  // [rad or m]
 
 // y += by (y - other), the attitude too.
 void lead(const Configuration& other, double by, Configuration& y) noexcept {
@@ -44,6 +47,15 @@ double extrapolate(int order, std::array<Configuration, 2>& coarse, Configuratio
   lead(coarse[0], 1.0, coarse[1]);
   lead(coarse[1], 0.5, y);
   return fastest_change(y, coarse[1]) / 3.0;
+}
+
+bool passes_stops(const std::vector<JointLaw>& joints, const Configuration& fine, const Configuration& y) noexcept {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    const double allowed = std::max(kStopSlack, joints[j].beyond_stops(fine.q[index]));
+    if (!(joints[j].beyond_stops(y.q[index]) <= allowed)) return true;
+  }
+  return false;
 }
 
 }  // namespace twinbus::sim

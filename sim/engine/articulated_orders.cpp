@@ -11,7 +11,6 @@ namespace twinbus::inline sim {
 
 namespace {
 
-constexpr double kStopSlack = 1e-9;  // [rad or m]
 // It is calm again where the last correction of an extrapolation changes no speed by more than this times step^1.5: between
 // events errors fall with the square of the step, and with the step where they lie.
 constexpr double kCalm = 0.03;  // [m/s^2.5]
@@ -92,7 +91,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   if (smooth) {
     next_ = configuration_;
     correction = extrapolate(config_.order, coarse_, configuration_);
-    smooth = check_configuration(joints_.size(), configuration_) == Status::kOk && within_stops();
+    smooth = check_configuration(joints_.size(), configuration_) == Status::kOk && !passes_stops(joints_, next_, configuration_);
     if (!smooth) configuration_ = next_;
   }
   if (!smooth) {
@@ -135,16 +134,6 @@ bool ArticulatedWorld::crosses() const noexcept {
   return std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) {
     return (c.depth > 0.0) != (c.now.mode != ContactMode::kOpen);
   });
-}
-
-// What is extrapolated may leap over a stop that no step of order 1 passes.
-bool ArticulatedWorld::within_stops() const noexcept {
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const auto index = static_cast<Eigen::Index>(j);
-    const double fine = std::max(kStopSlack, joints_[j].beyond_stops(next_.q[index]));
-    if (!(joints_[j].beyond_stops(configuration_.q[index]) <= fine)) return false;
-  }
-  return true;
 }
 
 // To where extrapolated() began.

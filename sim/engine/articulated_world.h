@@ -119,7 +119,6 @@ class ArticulatedWorld final : public World {
   Outcome extrapolated(double h, bool may_reject) noexcept;
   double work_since(const Configuration& before) const noexcept;
   bool crosses() const noexcept;
-  bool within_stops() const noexcept;
   void go_back(bool moved) noexcept;
   void begin_apart();
   bool advance_apart() noexcept;

@@ -8,12 +8,6 @@
 
 namespace twinbus::inline sim {
 
-namespace {
-
-constexpr double kStopSlack = 1e-9;  // [rad or m]
-
-}  // namespace
-
 OtherRobots::OtherRobots(const WorldConfig& config) {
   for (const OtherRobot& robot : config.robots) {
     check_robot(robot);
@@ -156,21 +150,12 @@ void OtherRobots::keep_coarse(int which) noexcept {
   for (Robot& robot : robots_) robot.coarse[at(which)] = robot.now;
 }
 
-bool OtherRobots::passes_stops(const Robot& robot) noexcept {
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const auto index = static_cast<Eigen::Index>(j);
-    const double fine = std::max(kStopSlack, robot.joints[j].beyond_stops(robot.fine.q[index]));
-    if (!(robot.joints[j].beyond_stops(robot.now.q[index]) <= fine)) return true;
-  }
-  return false;
-}
-
 double OtherRobots::extrapolate(int order) noexcept {
   double correction = 0.0;
   for (Robot& robot : robots_) {
     robot.fine = robot.now;
     correction = std::max(correction, twinbus::extrapolate(order, robot.coarse, robot.now));
-    if (passes_stops(robot)) robot.now = robot.fine;
+    if (passes_stops(robot.joints, robot.fine, robot.now)) robot.now = robot.fine;
     robot.body.place(robot.now);
   }
   return correction;

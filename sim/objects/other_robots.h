@@ -69,7 +69,6 @@ class OtherRobots {
 
   static bool holds(const Robot& robot, std::size_t joint, double h) noexcept;
   static double end_speed(const Robot& robot, std::size_t joint, double h) noexcept;
-  static bool passes_stops(const Robot& robot) noexcept;
 
   std::vector<Robot> robots_;
   std::vector<Contact> found_;  // of one
