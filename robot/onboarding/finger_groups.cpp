@@ -141,7 +141,7 @@ FingerGroup group_of(const Model& model, const Hand& hand) {
 FingerGroups finger_groups(const Model& model, const Anatomy& anatomy, bool planar) {
   FingerGroups groups;
   std::size_t kept = 0, behind = 0;
-  for (const std::size_t side : {0, 1}) {
+  for (std::size_t side = 0; side < 2; ++side) {
     if (anatomy.hands[side].link > 0) groups[side] = group_of(model, anatomy.hands[side]);
     kept += groups[side].joints.size();
   }
@@ -168,7 +168,7 @@ std::vector<std::array<int, 2>> pairs_within(const FingerGroup& group, const Mod
 
 std::string gripper_yaml(const FingerGroups& groups, const Model& model) {
   std::string out;
-  for (const std::size_t side : {0, 1}) {
+  for (std::size_t side = 0; side < 2; ++side) {
     const FingerGroup& group = groups[side];
     if (group.joints.empty()) continue;
     std::string joints, open, closed;

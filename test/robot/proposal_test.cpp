@@ -83,7 +83,7 @@ TEST(Proposal, TakesRotorsAndFrictionOfATrainingWhereTheFilesSayNothing) {
   ProposalSource source;
   source.urdf_name = "hrp1s.urdf";
   source.srdf_text = "<robot name='hrp1s'><rotor_params><joint name='" + bare.joints[2].name + "' mass='0.1' gear_ratio='1'/></rotor_params></robot>";
-  for (const std::size_t j : {0, 1, 2}) source.trained.push_back({.joint = bare.joints[j].name, .rotor_inertia = 0.02});
+  for (const std::size_t j : {0U, 1U, 2U}) source.trained.push_back({.joint = bare.joints[j].name, .rotor_inertia = 0.02});
   source.trained[0].friction = 0.4;
   const Proposal proposal = propose(bare, source);
   const Model model = load_robot_texts({.folder = hrp1s().folder, .yaml = proposal.yaml, .urdf = bare.urdf_text, .srdf = proposal.srdf});
