@@ -21,6 +21,7 @@
 #include "python/simulation/robot_query.h"
 #include "python/simulation/simulation.h"
 #include "python/simulation/worlds.h"
+#include "robot/description/named_hands.h"
 
 namespace nb = nanobind;
 using namespace twinbus;
@@ -167,6 +168,19 @@ nb::dict describe(const Model& model) {
     for (const int j : model.bus_joints) q.append(pose.q[static_cast<std::size_t>(j)]);
     poses[pose.name.c_str()] = q;
   }
+  nb::dict hands, grippers;
+  for (const Hand* hand : hands_of(model)) {
+    hands[hand->name.c_str()] = number_of(model, *hand) + 1;
+    const Gripper gripper = gripper_of(model, *hand);
+    nb::dict joints;
+    for (std::size_t i = 0; i < gripper.joints.size(); ++i) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(gripper.joints[i])];
+      joints[joint.name.c_str()] = nb::make_tuple(gripper.closed[i], gripper.open[i]);
+    }
+    if (!gripper.joints.empty()) grippers[hand->name.c_str()] = joints;
+  }
+  found["hands"] = hands;
+  found["grippers"] = grippers;
   found["name"] = model.name;
   found["folder"] = model.folder;
   found["joints"] = of_joints(&Joint::name);

@@ -8,6 +8,7 @@
 #include "common/text/closest_name.h"
 #include "robot/description/model.h"
 #include "robot/description/load.h"
+#include "robot/description/named_hands.h"
 #include "robot/kinematics/inverse_kinematics.h"
 
 namespace twinbus {
@@ -110,17 +111,16 @@ std::vector<RobotQuery::Near> RobotQuery::nearest(const std::vector<double>& q, 
   return found;
 }
 
-ArmSide RobotQuery::side(const std::string& hand) const {
-  if (hand != "left" && hand != "right") throw std::invalid_argument("hand: left or right, not '" + hand + "'");
-  const ArmSide side = hand == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  const Hand* there = hand_of(*model_, side == ArmSide::kLeft ? 0 : 1);
-  if (there == nullptr) throw std::invalid_argument("the robot has no " + hand + " hand");
-  if (there->joints.empty()) throw std::invalid_argument("no joint moves the " + hand + " hand");
-  return side;
+const Hand& RobotQuery::arm(const std::string& name) const {
+  const Hand* there = hand_called(*model_, name);
+  const std::string names = hand_names(*model_);
+  if (there == nullptr) throw std::invalid_argument("the robot has no " + name + " hand; say one of: " + (names.empty() ? "none" : names));
+  if (there->joints.empty()) throw std::invalid_argument("no joint moves " + spoken_name(*model_, *there));
+  return *there;
 }
 
 RobotQuery::Reached RobotQuery::inverse(const std::vector<double>& q, const std::string& hand, const Place& place) {
-  const Hand& arm = *hand_of(*model_, side(hand) == ArmSide::kLeft ? 0 : 1);
+  const Hand& arm = this->arm(hand);
   const Eigen::Isometry3d target = checked(place);
   this->place(q);
   const int trunk = model_->joints[static_cast<std::size_t>(arm.joints.front())].parent;
@@ -140,7 +140,7 @@ RobotQuery::Reached RobotQuery::inverse(const std::vector<double>& q, const std:
 RobotQuery::Path RobotQuery::plan(const std::vector<double>& q, const std::string& hand, const Place& place,
                                   const std::vector<Obstacle>& obstacles, double speed, std::uint64_t seed) {
   ArmGoal goal;
-  goal.side = side(hand);
+  goal.side = static_cast<ArmSide>(number_of(*model_, arm(hand)) + 1);
   const Eigen::Isometry3d target = checked(place);
   if (!(speed > 0.0 && speed <= 1.0)) throw std::invalid_argument("speed: above 0, at most 1");
   if (obstacles.size() > Collision::kMaxObstacles) {

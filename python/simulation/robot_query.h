@@ -60,18 +60,18 @@ class RobotQuery {
     double rotation_error = 0.0;  // [rad]; 0 without an orientation
   };
   // A posture in which the arm has its hand there, found from posture q on, within the joints' limits; nothing looks at what touches.
-  // hand: left or right.
+  // hand: left, right, or the name of a further arm (robot.yaml, hands).
   Reached inverse(const std::vector<double>& q, const std::string& hand, const Place& place);
 
   // A motion of an arm from posture q that keeps clear of the body and of the obstacles (poses in the base frame) and brings the hand to
-  // a place.  hand: left or right; speed: share of the joints' velocity limits, up to 1; equal arguments, equal paths.
+  // a place.  hand: as for inverse; speed: share of the joints' velocity limits, up to 1; equal arguments, equal paths.
   Path plan(const std::vector<double>& q, const std::string& hand, const Place& place, const std::vector<Obstacle>& obstacles,
             double speed, std::uint64_t seed);
 
  private:
   void place(const std::vector<double>& q);
   const Frame& frame(const std::string& link) const;
-  ArmSide side(const std::string& hand) const;
+  const Hand& arm(const std::string& name) const;
 
   std::unique_ptr<Model> model_;
   Kinematics kinematics_;

@@ -15,6 +15,11 @@ and for operators, whose messages name the run that they are for and count up:
     bus.ask('MODE_REQUEST', request, state)
     bus.wait('CONTROLLER_STATUS', lambda status: status.mode_sequence == request.sequence)
 
+and for arms, by their names:
+
+    twinbus.Arm(bus, 'left').reach((0.35, 0.25, 0.75))
+    twinbus.Arm(bus, 'north', twinbus.Robot('FOLDER').info).grip(1.0)
+
 and in this process, without a bus, a simulation (see twinbus.simulation), many of them, and questions to a robot:
 
     simulation = twinbus.Simulation('walk_forward')
@@ -26,6 +31,7 @@ The bus needs the standard library alone; arrays of messages are numpy arrays wh
 from typing import TYPE_CHECKING, Any
 
 from . import messages
+from .arm import Arm
 from .bus import JOINTS, Bus, Obedience, command_for, decode, new_id, newest_state, padded, run, text
 from .channels import TYPES
 from .home import config
@@ -51,5 +57,5 @@ def __getattr__(name: str) -> Any:
 
 
 __version__ = '0.1'
-__all__ = ['JOINTS', 'TYPES', 'Bus', 'Log', 'Message', 'Obedience', 'Stack', 'command_for', 'config', 'decode', 'message_type', 'messages',
+__all__ = ['JOINTS', 'TYPES', 'Arm', 'Bus', 'Log', 'Message', 'Obedience', 'Stack', 'command_for', 'config', 'decode', 'message_type', 'messages',
            'new_id', 'newest_state', 'padded', 'read_log', 'run', 'text']

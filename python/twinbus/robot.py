@@ -111,14 +111,14 @@ class Robot:
 
     def inverse(self, q: Sequence[float] | Floats, hand: str, position: Sequence[float] | Floats,
                 orientation: Sequence[float] | Floats | None = None) -> Reached:
-        """Inverse kinematics: a posture in which a hand ('left', 'right') is at a place of the base frame [3], m, with an orientation [4],
+        """Inverse kinematics: a posture in which a hand (a name of info.hands) is at a place of the base frame [3], m, with an orientation [4],
         w x y z, if one is given.  Found from posture q on, within the joints' limits; nothing looks at what touches (nearest, plan)."""
         said = self._native.inverse(_joints(q), hand, [float(x) for x in position], _turn(orientation))
         return Reached(said.reached, np.array(said.q), said.position_error, said.rotation_error)
 
     def plan(self, q: Sequence[float] | Floats, hand: str, position: Sequence[float] | Floats, speed: float = 0.4, seed: int = 1, *,
              orientation: Sequence[float] | Floats | None = None, obstacles: Sequence[Obstacle] = ()) -> ArmPath:
-        """A motion from posture q that keeps clear of the body and of the obstacles, and brings a hand ('left', 'right') to a place of the
+        """A motion from posture q that keeps clear of the body and of the obstacles, and brings a hand (a name of info.hands) to a place of the
         base frame [3], m, with an orientation [4], w x y z, if one is given.
         speed: share of the joints' velocity limits, up to 1.  Equal arguments, equal paths."""
         said = self._native.plan(_joints(q), hand, [float(x) for x in position], _turn(orientation),

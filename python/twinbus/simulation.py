@@ -141,6 +141,10 @@ class RobotInfo:
     kd: Floats
     poses: dict[str, Floats]
     """Named poses of the SRDF, each [joints]."""
+    hands: dict[str, int]
+    """Its arms by name: the number of each in arm_goal_t."""
+    grippers: dict[str, dict[str, tuple[float, float]]]
+    """Of an arm that has one: its joints, each with where it is closed and open [rad or m]."""
     period: float
     """Of a tick [s]."""
     mass: float
@@ -151,7 +155,8 @@ class RobotInfo:
         """From the compiled module's words."""
         arrays = {key: np.array(said[key], dtype=np.float64) for key in ('lower', 'upper', 'velocity', 'effort', 'kp', 'kd')}
         return RobotInfo(name=said['name'], folder=said['folder'], joints=tuple(said['joints']), links=tuple(said['links']),
-                         poses={name: np.array(q, dtype=np.float64) for name, q in said['poses'].items()}, period=said['period'],
+                         poses={name: np.array(q, dtype=np.float64) for name, q in said['poses'].items()},
+                         hands=dict(said['hands']), grippers={name: dict(joints) for name, joints in said['grippers'].items()}, period=said['period'],
                          mass=said['mass'], **arrays)
 
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """A robot with three arms that are neither left nor right, made here: each is sent, given something to hold, emptied and stepped to by
-its name (reach, attach, release, grip, the keyboard, the page); names that it does not have are refused with those that it has.
+its name (reach, attach, release, grip, the keyboard, the page, Python); names that it does not have are refused with those that it has.
 
     named_arms_test.py [SCREENSHOT.png]
 """
 
 import pathlib
 import re
+import subprocess
 import sys
 import tempfile
 import time
@@ -75,6 +76,27 @@ def holds(checks, bus, where):
     checks.at_most(abs(bus.newest("STATE")[1].q[SLIDE] - 0.05), 0.002, "the jaw of the north is open [m]")
 
 
+def obeys_python(checks, bus):
+    start = len(bus.records)
+    done = subprocess.run([sys.executable, pathlib.Path(__file__).parent / "python_arms.py"], capture_output=True, text=True, timeout=60)
+    said = dict(line.split(": ", 1) for line in done.stdout.splitlines())
+    checks.that(done.returncode == 0, f"python_arms.py: {done.stdout}{done.stderr}")
+    for what in ("reach west", "attach north", "release north", "grip north"):
+        checks.that(said.get(what) == "done", f"Python, {what}: {said.get(what)}")
+    for what, why in (("reach far", "no path for arm west: the hand cannot get there, by 2."), ("grip west", "there is one on: north"),
+                      ("south", f"no arm called south; there are: {NAMES}"), ("north alone", "there are: left, right (of another name: give robot"),
+                      ("ninth", "arm 9: 1 left, 2 right, 3 to 8"), ("left", "not a goal for this robot"), ("cone", "shape: box, sphere, cylinder"), ("edges", "size of a box: 3 numbers")):
+        checks.that(why in said.get(what, ""), f"Python, {what} is refused: {said.get(what)}")
+    _, goal = bus.wait_for("ARM_GOAL", lambda g: g.kind == POSITION_GOAL, 1, start)
+    checks.that(goal is not None and goal.side == THIRD + 2, "Arm.reach sends the west")
+    _, held = bus.wait_for("HELD", lambda piece: piece.count == 1, 1, start)
+    checks.that(held is not None and (held.piece, held.pieces) == (3, 8) and abs(held.size[0][0] - 0.03) < 1e-6, "Arm.attach tells of the fourth arm")
+    _, held = bus.wait_for("HELD", lambda piece: piece.piece == 3 and piece.count == 0, 1, start)
+    checks.that(held is not None, "Arm.release tells that it is empty")
+    time.sleep(1.0)
+    checks.at_most(abs(bus.newest("STATE")[1].q[SLIDE] - 0.01), 0.002, "Arm.grip closes the jaw of the north to a fifth [m]")
+
+
 def is_refused(checks, where):
     for words, why in ((("attach", "nroth", "sphere", "0.03"), f"no arm called nroth (did you mean north?); say one of: {NAMES}"),
                        (("release", "south", *()), f"say one of: {NAMES}"), (("reach", "up", "0", "0", "1"), f"say one of: {NAMES}"),
@@ -132,6 +154,7 @@ def main():
             reaches(checks, where)
             holds(checks, bus, where)
             is_refused(checks, where)
+            obeys_python(checks, bus)
             is_stepped_to(checks, bus, where)
             if looks:
                 is_dragged(checks, bus, next(line for line in stack.lines if "http://" in line), sys.argv[1] if len(sys.argv) > 1 else "")

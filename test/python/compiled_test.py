@@ -9,6 +9,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -30,6 +31,28 @@ try:
     import twinbus.gym
 except ImportError:
     gymnasium = None
+
+
+def write_arms(folder):
+    """A post with two arms in the plane, north along x and south against it, with a jaw on the south."""
+    def link(name, x, size, mass):
+        return (f"<link name='{name}'><inertial><origin xyz='{x} 0 0'/><mass value='{mass}'/><inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' "
+                f"iyz='0'/></inertial><collision><origin xyz='{x} 0 0'/><geometry><box size='{size} 0.04 0.04'/></geometry></collision></link>")
+
+    def joint(name, kind, parent, child, x, z, axis, lower, upper):
+        return (f"<joint name='{name}' type='{kind}'><origin xyz='{x} 0 {z}'/><parent link='{parent}'/><child link='{child}'/><axis xyz='{axis}'/>"
+                f"<limit lower='{lower}' upper='{upper}' effort='50' velocity='2'/></joint>")
+
+    text, hands = "<robot name='arms'>" + link("post", 0.0, 0.06, 20.0), ""
+    for name, s in (("north", 1), ("south", -1)):
+        text += link(f"{name}_upper", 0.16 * s, 0.2, 0.5) + link(f"{name}_lower", 0.14 * s, 0.16, 0.5)
+        text += joint(f"{name}_turn", "revolute", "post", f"{name}_upper", 0.06 * s, 0.5, "0 0 1", -2, 2)
+        text += joint(f"{name}_elbow", "revolute", f"{name}_upper", f"{name}_lower", 0.28 * s, 0, "0 0 1", -2, 2)
+        hands += f"  {name}: {{frame: {name}_lower, at: [{0.2 * s}, 0, 0], joints: [{name}_turn, {name}_elbow]}}\n"
+    text += link("south_jaw", 0.0, 0.02, 0.05) + joint("south_slide", "prismatic", "south_lower", "south_jaw", -0.26, 0, "-1 0 0", 0, 0.05)
+    (folder / "arms.urdf").write_text(text + "</robot>")
+    (folder / "robot.yaml").write_text(f"urdf: arms.urdf\nbase: fixed\nhands:\n{hands}grippers:\n  south: {{joints: [south_slide], open: [0.04], closed: [0.01]}}\n")
+    return folder
 
 
 class Simulations(unittest.TestCase):
@@ -151,6 +174,26 @@ class Simulations(unittest.TestCase):
             robot.inverse(q, side, (0.4, 0.0, 0.4), (0.0, 0.0, 0.0, 0.0))
         with self.assertRaisesRegex(ValueError, "four numbers"):
             robot.plan(q, side, (0.4, 0.0, 0.4), orientation=(1.0, 0.0, 0.0))
+
+    def test_arms_have_the_names_of_robot_yaml(self):
+        robot = twinbus.Robot("hrp1s")
+        self.assertEqual((robot.info.hands, robot.info.grippers), ({"left": 1, "right": 2}, {}))
+        with tempfile.TemporaryDirectory() as folder:
+            robot = twinbus.Robot(write_arms(pathlib.Path(folder)))
+        self.assertEqual(robot.info.hands, {"north": 3, "south": 4})
+        self.assertEqual(robot.info.grippers, {"south": {"south_slide": (0.01, 0.04)}})
+        q = np.zeros(len(robot.info.joints))
+        for name, x in (("north", 0.35), ("south", -0.35)):
+            found = robot.inverse(q, name, (x, 0.15, 0.5))
+            self.assertTrue(found.reached, found)
+            moved = {robot.info.joints[k] for k in np.nonzero(found.q)[0]}
+            self.assertEqual({joint.split("_")[0] for joint in moved}, {name})
+            path = robot.plan(q, name, (x, 0.15, 0.5))
+            self.assertTrue(path.found, path.text)
+            self.assertEqual(path.joints, (f"{name}_turn", f"{name}_elbow"))
+        for ask in (robot.inverse, robot.plan):
+            with self.assertRaisesRegex(ValueError, "no east hand; say one of: north, south"):
+                ask(q, "east", (0.3, 0.0, 0.5))
 
     def test_a_way_goes_round_what_is_in_it(self):
         robot = twinbus.Robot("hrp1s")

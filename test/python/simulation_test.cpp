@@ -222,7 +222,8 @@ TEST(RobotQuery, NamesWhatIsWrong) {
   std::vector<double> q(robot.model().bus_joints.size());
   EXPECT_EQ(test::error_of([&] { (void)robot.com({0.0}); }), "q: 1 numbers, the robot has 29 joints");
   EXPECT_NE(test::error_of([&] { (void)robot.link_pose(q, "CHES"); }).find("CHEST"), std::string::npos);
-  EXPECT_NE(test::error_of([&] { (void)robot.plan(q, "third", {}, {}, 0.4, 1); }).find("left or right"), std::string::npos);
+  EXPECT_EQ(test::error_of([&] { (void)robot.plan(q, "third", {}, {}, 0.4, 1); }), "the robot has no third hand; say one of: left, right");
+  EXPECT_EQ(test::error_of([&] { (void)robot.inverse(q, "third", {}); }), "the robot has no third hand; say one of: left, right");
   q[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(test::error_of([&] { (void)robot.com(q); }), "q of joint RLEG_KNEE is not finite");
 }
