@@ -38,4 +38,13 @@ void write_new(const std::string& file, const std::string& text) {
   write_file(file, text);
 }
 
+std::string write_unasked(const std::string& file, const std::string& text) {
+  try {
+    write_file(file, text);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
 }  // namespace twinbus::common

@@ -1,4 +1,4 @@
-// Texts written into files.  Each throws std::runtime_error that names the file.
+// Texts written into files.  Each but the last throws std::runtime_error that names the file.
 
 #pragma once
 
@@ -8,6 +8,9 @@ namespace twinbus::inline common {
 
 // Over what was there; into a device or a pipe too.
 void write_file(const std::string& file, const std::string& text);
+
+// A copy that nobody asked for: says what was wrong, empty when nothing was.
+std::string write_unasked(const std::string& file, const std::string& text);
 // Whole at once: who reads meanwhile has the old text or the new one.
 void write_whole(const std::string& file, const std::string& text);
 // Never over a file that is there; makes the folder.

@@ -456,14 +456,8 @@ bool Up::judge_and_report(bool whole, double wall_s) {
   }
   const std::string json = accuracy_->in_report(report_json(verdict, request_, bus_->seen(), wall_s, hash));
   if (!report_.empty()) write_file(report_, json);
-  std::string written = report_;
-  try {
-    write_file(folder_ + "/report.json", json);
-    if (report_.empty()) written = folder_ + "/report.json";
-  } catch (const std::exception& error) {
-    say(error.what());  // nobody asked for this copy
-  }
-  if (quit_requested() && !written.empty()) say("figures up to here: " + written);
+  if (const std::string trouble = write_unasked(folder_ + "/report.json", json); !trouble.empty()) say(trouble);
+  if (quit_requested()) say("figures up to here: " + (report_.empty() ? folder_ + "/report.json" : report_));
   return verdict.passed || (whole && !asked_to_judge());
 }
 
