@@ -46,6 +46,9 @@ TEST(WriteFile, WhatCannotBeWrittenIsNamed) {
   const std::string taken = folder.path() + "/taken";
   std::filesystem::create_directories(taken + "/full");
   EXPECT_NE(error_of([&] { write_whole(taken, ""); }).find("cannot write " + taken), std::string::npos);
+  EXPECT_NE(write_unasked(folder.path() + "/nowhere/x", "").find("nowhere/x"), std::string::npos);
+  EXPECT_EQ(write_unasked(folder.path() + "/here", "text"), "");
+  EXPECT_EQ(text_of(folder.path() + "/here"), "text");
 }
 
 }  // namespace
