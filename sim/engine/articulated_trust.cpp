@@ -9,8 +9,8 @@
 namespace twinbus::inline sim {
 
 namespace {
-std::array<int, 4> pair_of(const Contact& c) {
-  return {c.system, c.link, c.other_system, c.other};
+bool is_of(const Contact& c, const std::array<int, 4>& who) {
+  return who[1] == c.link && who[3] == c.other && who[0] == c.system && who[2] == c.other_system;
 }
 }  // namespace
 
@@ -21,7 +21,7 @@ void ArticulatedWorld::doubt_depths(double h) noexcept {
     if (!(c.depth > kFirstDepth) || c.tie != TieKind::kNone || loose_.woke(c)) continue;
     double expected = kFirstDepth + 2.0 * h * std::abs(c.normal.dot(c.v0));
     for (const DeepPair& pair : deep_) {
-      if (pair.who == pair_of(c)) expected += 2.0 * pair.depth;
+      if (is_of(c, pair.who)) expected += 2.0 * pair.depth;
     }
     if (!(c.depth > expected)) continue;
     trust_[Doubt::kDeep] = true;
@@ -37,13 +37,10 @@ void ArticulatedWorld::keep_depths(double h) noexcept {
     const double end = c.depth - h * c.normal.dot(c.v);
     if (!(end > 0.25 * kFirstDepth) || c.tie != TieKind::kNone) continue;
     if (loose_.may_come_through(c, end)) trust_[Doubt::kThrough] = true;
-    const auto who = pair_of(c);
-    const auto same = [&](const DeepPair& pair) {
-      return pair.who[1] == who[1] && pair.who[3] == who[3] && pair.who[0] == who[0] && pair.who[2] == who[2];
-    };
+    const auto same = [&c](const DeepPair& pair) { return is_of(c, pair.who); };
     const auto known = !deep_.empty() && same(deep_.back()) ? deep_.end() - 1 : std::find_if(deep_.begin(), deep_.end(), same);
     if (known == deep_.end()) {
-      deep_.push_back({who, end});
+      deep_.push_back({{c.system, c.link, c.other_system, c.other}, end});
     } else {
       known->depth = std::max(known->depth, end);
     }

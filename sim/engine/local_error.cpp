@@ -15,11 +15,6 @@ constexpr double kHeals = 3.0;        // of a driven world of order 2 or 3 [s]
 constexpr double kRounding = 1e-9;    // of speeds [m/s]
 constexpr std::array<double, 3> kShare = {1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0};
 
-void keep(const Eigen::Vector3d& now, auto& past) noexcept {
-  for (std::size_t i = past.size() - 1; i > 0; --i) past[i] = past[i - 1];
-  past[0] = now;
-}
-
 }  // namespace
 
 LocalError::LocalError(std::size_t links, std::size_t others, const WorldConfig& config)
@@ -48,6 +43,11 @@ void LocalError::driven() noexcept {
   if (order_ == 1) std::fill(sum_.begin(), sum_.end(), 0.0);
 }
 
+void LocalError::keep(const Eigen::Vector3d& now, Past& past) const noexcept {
+  for (std::size_t i = at(order_ - 1); i > 0; --i) past[i] = past[i - 1];
+  past[0] = now;
+}
+
 double LocalError::change(const Past& past, const Eigen::Vector3d& now) const noexcept {
   if (order_ == 1) return (now - past[0]).norm();
   if (order_ == 2) return (now - 2.0 * past[0] + past[1]).norm();
@@ -58,24 +58,26 @@ bool LocalError::add(const std::vector<Eigen::Vector3d>& world, const std::vecto
                      bool touched) noexcept {
   if (!(scale_ > 0.0)) return false;
   if (driven_) most_of_links_ = most_of_others_ = 0.0;
+  const bool by_vectors = driven_ && order_ == 1;  // needs only what the last speed was, in world
   for (std::size_t i = 0; i < world_.size(); ++i) {
+    const bool link = i < own_.size();
     Eigen::Vector3d faster = world[i] - world_[i][0];
-    double changed = change(world_[i], world[i]);
+    double changed = by_vectors ? 0.0 : change(world_[i], world[i]);
     keep(world[i], world_[i]);
-    if (i < own_.size()) {
+    if (link && !by_vectors) {
       changed = std::min(changed, change(own_[i], own[i]));
       keep(own[i], own_[i]);
-    } else if ((faster + fall_ * Eigen::Vector3d::UnitZ()).norm() < kRounding) {
+    } else if (!link && (faster + fall_ * Eigen::Vector3d::UnitZ()).norm() < kRounding) {
       faster.setZero();
       changed = 0.0;
     }
-    if (driven_ && order_ == 1) {
+    if (by_vectors) {
       off_[i] += scale_ * faster;
       sum_[i] = off_[i].norm();
     } else {
       sum_[i] = (driven_ ? keep_ : 1.0) * sum_[i] + scale_ * changed;
     }
-    double& most = i < own_.size() ? most_of_links_ : most_of_others_;
+    double& most = link ? most_of_links_ : most_of_others_;
     if (!(sum_[i] <= most)) most = sum_[i];
   }
   double needed = most();

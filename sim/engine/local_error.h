@@ -51,6 +51,7 @@ class LocalError {
   // Of a velocity: the last ones, of which the newest is first.
   using Past = std::array<Eigen::Vector3d, kMostOrder>;
   double change(const Past& past, const Eigen::Vector3d& now) const noexcept;
+  void keep(const Eigen::Vector3d& now, Past& past) const noexcept;  // as far back as its order looks
 
   int order_;
   double limit_;
