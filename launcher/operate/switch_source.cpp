@@ -13,6 +13,7 @@
 #include "common/process/process.h"
 #include "common/text/formatted.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/operate/bus_joint_name.h"
 #include "lcmtypes/msg/refusal_text.h"
 
 namespace twinbus::inline launcher {
@@ -68,8 +69,9 @@ SeenSource find_target(const StackMonitor& seen, SourceKind kind, std::int64_t w
 
 class Switch {
  public:
-  Switch(BusLink& bus, std::int64_t active_run, std::int64_t target_run)
-      : bus_(bus), active_run_(active_run), target_run_(target_run) {}
+  // robot: name or folder, empty: unknown; joints have their names from it.
+  Switch(BusLink& bus, std::int64_t active_run, std::int64_t target_run, std::string robot)
+      : bus_(bus), active_run_(active_run), target_run_(target_run), robot_(std::move(robot)) {}
 
   void put_into_standby(bool track) {
     if (in_standby(track)) return;
@@ -144,7 +146,7 @@ class Switch {
     return gap;
   }
 
-  // ": joint 4 by 0.12 rad now; --align moves the target there first"; counted as on the bus, from 0.
+  // ": RLEG_KNEE by 0.12 rad now; --align moves the target there first".
   std::string farthest_joint() const {
     const SeenSource* active = bus_.seen().source(active_run_);
     const SeenSource* target = bus_.seen().source(target_run_);
@@ -154,7 +156,7 @@ class Switch {
     for (std::size_t k = 1; k < static_cast<std::size_t>(active->state.joint_count); ++k) {
       if (gap(k) > gap(worst)) worst = k;
     }
-    return formatted(": joint %zu by %.2f rad now; --align moves the target there first", worst, gap(worst));
+    return ": " + bus_joint_name(robot_, active->status.model_hash, worst) + formatted(" by %.2f rad now; --align moves the target there first", gap(worst));
   }
 
   bool refused(const SourceRequest& request, std::int64_t answering_run) const {
@@ -186,6 +188,7 @@ class Switch {
   BusLink& bus_;
   std::int64_t active_run_;
   std::int64_t target_run_;
+  std::string robot_;
 };
 
 // Where nobody is active, as after a restart by hand, there is nobody to switch from.
@@ -228,6 +231,7 @@ into standby first.  Prints why when it is refused; nothing has moved then.
   --policy P  now, or when-safe (default): after the controller's shortest safe stop
   --align  moves the target robot to the posture slowly first
   --standby S  of the target until then: shadow or track; default track where a state can be imposed
+  --robot  names its joints in a refusal; default the robot of the running ./twinbus up
   --run ID  of the target, where there are several of its kind (see ./twinbus status --json)
   --prefix --url --allow)"}, words);
   const SourceKind kind = kind_of(arguments.word(0));
@@ -247,7 +251,7 @@ into standby first.  Prints why when it is refused; nothing has moved then.
   const SeenSource target = find_target(bus.seen(), kind, wanted_run, from.status.run_id);
   const bool track = standby.empty() ? target.status.can_be_set : standby == "track";
 
-  Switch change(bus, from.status.run_id, target.status.run_id);
+  Switch change(bus, from.status.run_id, target.status.run_id, arguments.text("--robot", ""));
   const bool already_standby = standby.empty() && (target.status.role == Role::kStandbyTrack ||
                                                    target.status.role == Role::kStandbyShadow);
   if (!already_standby) change.put_into_standby(track);

@@ -1,5 +1,6 @@
 #include "launcher/stack/run_folder.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 #include "common/file/beside_program.h"
 #include "common/time/time_name.h"
@@ -88,6 +90,36 @@ std::string commit_of_tree(const std::string& tree) {
 std::string commit_of_program() {
   const std::string installed = first_line_of(install_folder() + "/commit");
   return program_is_installed() && !installed.empty() ? installed : commit_of_tree(install_folder());
+}
+
+namespace {
+
+bool is_running(const std::string& folder) {
+  const std::string text = first_line_of(folder + "/pid");
+  if (text.empty()) return false;
+  const long pid = std::strtol(text.c_str(), nullptr, 10);
+  return pid > 1 && ::kill(static_cast<pid_t>(pid), 0) == 0;
+}
+
+// The run folders whose `up` is running.
+std::vector<std::string> running_folders() {
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(runs_folder(), ignored)) {
+    if (is_running(entry.path().string())) found.push_back(entry.path().string());
+  }
+  return found;
+}
+
+}  // namespace
+
+std::string running_folder() {
+  const std::vector<std::string> folders = running_folders();
+  if (folders.empty()) throw std::runtime_error("no stack of ./twinbus up is running");
+  if (folders.size() > 1)
+    throw std::runtime_error("several stacks are running (" + folders[0] + ", " + folders[1] +
+                             "); set TWINBUS_RUNS to the folder of one's own");
+  return folders.front();
 }
 
 }  // namespace twinbus::launcher

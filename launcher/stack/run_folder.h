@@ -14,6 +14,12 @@ std::string make_run_folder();
 // $XDG_DATA_HOME/twinbus/runs or ~/.local/share/twinbus/runs.
 std::string runs_folder();
 
+// The folder of the one stack that runs.  Throws std::runtime_error when there is none, or several.
+std::string running_folder();
+
+// In the folder setup of a run: name or folder of its robot.  No robot's folder beside it has a dot.
+inline constexpr char kRunningRobot[] = "running.robot";
+
 // Empty where it cannot be read.
 std::string first_line_of(const std::string& file);
 

@@ -1,11 +1,9 @@
 #include "launcher/up/restart.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -21,28 +19,9 @@ namespace twinbus::inline launcher {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr std::int64_t kLookForWish = 100'000'000;  // [ns]
 constexpr double kMostWait = 10.0;                  // [s]
 constexpr double kAnswerPause = 0.05;               // [s]
-
-bool is_running(const std::string& folder) {
-  const std::string text = first_line_of(folder + "/pid");
-  if (text.empty()) return false;
-  const long pid = std::strtol(text.c_str(), nullptr, 10);
-  return pid > 1 && ::kill(static_cast<pid_t>(pid), 0) == 0;
-}
-
-// The run folders whose `up` is running.
-std::vector<std::string> running_folders() {
-  std::vector<std::string> found;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(runs_folder(), ignored)) {
-    if (is_running(entry.path().string())) found.push_back(entry.path().string());
-  }
-  return found;
-}
 
 }  // namespace
 
@@ -77,15 +56,6 @@ void keep_viewer_addresses() {
                                         static_cast<unsigned long long>(random_id()));
     setenv(name, token.c_str(), 0);
   }
-}
-
-std::string running_folder() {
-  const std::vector<std::string> folders = running_folders();
-  if (folders.empty()) throw std::runtime_error("no stack of ./twinbus up is running");
-  if (folders.size() > 1)
-    throw std::runtime_error("several stacks are running (" + folders[0] + ", " + folders[1] +
-                             "); set TWINBUS_RUNS to the folder of one's own");
-  return folders.front();
 }
 
 int restart_command(const std::vector<std::string>& words) {

@@ -30,7 +30,4 @@ class RestartRequests {
 // A viewer that is started again has the addresses it had.
 void keep_viewer_addresses();
 
-// The folder of the one stack that runs.  Throws std::runtime_error when there is none, or several.
-std::string running_folder();
-
 }  // namespace twinbus::launcher

@@ -49,6 +49,7 @@ std::string answered(const std::string& sentence, const Write& write) {
 SetupWishes::SetupWishes(const std::string& folder, Setup now, const Stack& stack)
     : folder_(folder), now_(std::move(now)), stand_in_(std::any_of(stack.processes.begin(), stack.processes.end(), is_stand_in)) {
   fs::create_directories(folder_);
+  say_robot();
   if (stand_in_) write_file(folder_ + "/stand_in", "the robot behind the bridge is simulated: it begins anew with the rest\n");
 }
 
@@ -77,6 +78,7 @@ Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, co
   if (!stand_in && !simulates(active)) throw std::runtime_error("switch to the simulator first");
   if (wish != kAgain) {
     now_ = write_setup(wish, robot, folder_);
+    say_robot();
     keep_changes(wish);
   }
   return now_;
@@ -100,6 +102,13 @@ std::string SetupWishes::save(const std::string& wish, const std::string& robot,
   answer["text"] = sentence;
   const auto replace = nlohmann::json::error_handler_t::replace;
   return answered(sentence, [&] { write_whole(folder_ + "/saved.json", answer.dump(-1, ' ', true, replace)); });
+}
+
+// A folder is named from anywhere.
+void SetupWishes::say_robot() const {
+  std::error_code error;
+  const bool named = !fs::exists(now_.robot, error);
+  write_file(folder_ + "/" + kRunningRobot, (named ? now_.robot : fs::absolute(now_.robot).string()) + "\n");
 }
 
 // What of the robot is changed, for a page that is opened later.

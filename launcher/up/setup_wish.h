@@ -39,6 +39,7 @@ class SetupWishes {
   std::string answer(const std::string& wish, const std::string& problem) const;
 
  private:
+  void say_robot() const;
   void keep_changes(const std::string& wish) const;
 
   std::string folder_;

@@ -6,6 +6,7 @@
 
 #include "common/process/arguments.h"
 #include "launcher/operate/asked_hand.h"
+#include "launcher/operate/bus_joint_name.h"
 #include "robot/description/load.h"
 #include "robot/description/named_hands.h"
 #include "test/carried_arms.h"
@@ -96,6 +97,16 @@ TEST(AimHand, TheToolComesToThePlace) {
   aim_hand(place, false, Eigen::Isometry3d::Identity(), hand, goal);
   EXPECT_EQ(goal.kind, ArmGoalKind::kPosition);
   EXPECT_EQ(goal.position[0], 0.5);
+}
+
+// A joint that a message counts is told by its name.
+TEST(BusJointName, IsTheRobotsOwnOrTheNumber) {
+  const Model model = load_robot("hrp1s");
+  for (const std::size_t k : {std::size_t{0}, std::size_t{14}})
+    EXPECT_EQ(bus_joint_name("hrp1s", model.hash, k), model.joints[static_cast<std::size_t>(model.bus_joints[k])].name);
+  for (const char* other : {"biped12", "no_such_robot"})
+    EXPECT_EQ(bus_joint_name(other, model.hash, 14), "joint 14 on the bus (--robot names it)") << other;
+  EXPECT_NE(bus_joint_name("hrp1s", model.hash, 48).find("joint 48"), std::string::npos);
 }
 
 }  // namespace
