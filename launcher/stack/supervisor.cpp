@@ -22,10 +22,11 @@ std::uintmax_t size_of(const std::string& file) {
 // The first line of a child's output is its sign of life where it has no bus.
 bool has_output(const Supervised& one) { return size_of(one.spec.log_file) > one.log_begin; }
 
-std::string last_lines_of(const Child& child) {
+std::string last_lines_of(const Supervised& one) {
+  if (!has_output(one)) return "; it printed nothing";
   std::string text;
-  for (const std::string& line : child.last_lines(kLastLines)) text += "\n    " + line;
-  return text.empty() ? "; it printed nothing" : "; its last lines:" + text;
+  for (const std::string& line : one.child.front().last_lines(kLastLines)) text += "\n    " + line;
+  return "; its output: " + one.spec.log_file + (text.empty() ? "" : ", the last lines:") + text;
 }
 
 }  // namespace
@@ -78,7 +79,7 @@ void Supervisor::start_more(std::int64_t now_ns) {
     Child& child = one.child.front();
     if (child.take_end()) {
       throw std::runtime_error("process '" + one.process.name + "' ended before it was ready: " +
-                               child.how_it_ended() + last_lines_of(child));
+                               child.how_it_ended() + last_lines_of(one));
     }
     if (one.process.ready_when == ReadyWhen::kLine && has_output(one))
       one.ready = true;
@@ -89,7 +90,7 @@ void Supervisor::start_more(std::int64_t now_ns) {
                                          : "a message on " + one.process.ready_channel;
       throw std::runtime_error("process '" + one.process.name + "' is not ready after " +
                                std::to_string(static_cast<int>(one.process.ready_timeout)) +
-                               " s (waited for " + waited_for + ")" + last_lines_of(child));
+                               " s (waited for " + waited_for + ")" + last_lines_of(one));
     }
   }
 }
@@ -112,7 +113,7 @@ bool Supervisor::every_source_ended() const {
 }
 
 void Supervisor::report_end(const Supervised& one, const Child& child) const {
-  say_(one.process.name + " ended: " + child.how_it_ended() + last_lines_of(child));
+  say_(one.process.name + " ended: " + child.how_it_ended() + last_lines_of(one));
 }
 
 std::string Supervisor::restart(const std::string& name, std::int64_t now_ns) {

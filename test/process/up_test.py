@@ -122,6 +122,7 @@ def a_death_is_reported(checks):
             time.sleep(0.05)
         text = "".join(stack.lines)
         checks.that("planner ended: signal 9" in text, "the planner's death is reported")
+        checks.that("/planner.log, the last lines:" in text, "with its log")
         checks.that("planner is started again" in text, "and it is started again")
         os.kill(stack.pid("twinbus_simulator"), signal.SIGKILL)
         try:
