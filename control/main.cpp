@@ -203,8 +203,12 @@ class Controller : RobotProcess {
 
   void tell(const char* sentence, bool of_path) {
     const std::int64_t now = monotonic_ns();
-    // Of each path that is not followed somebody waits to hear it; nobody sends goals at the rate of a loop.
-    if (sentence == last_sentence_ && now - told_ns_ < (of_path ? kQuietOfPathNs : kQuietNs)) return;
+    // Of each path that is not followed, and of each mode that was asked, somebody waits to hear it; nobody sends goals at the rate of
+    // a loop.
+    const std::int32_t asked = loop_.status().mode_sequence;
+    const bool answers = of_path || asked != told_sequence_;
+    if (sentence == last_sentence_ && now - told_ns_ < (answers ? kQuietOfPathNs : kQuietNs)) return;
+    told_sequence_ = asked;
     last_sentence_ = sentence;
     told_ns_ = now;
     node_.tell(1, sentence, state_.run_id, state_.tick, of_path ? kArmPathRefused : 0);
@@ -227,6 +231,7 @@ class Controller : RobotProcess {
   JournalWriter<SendPage> journal_;
   std::int64_t told_ns_ = 0, state_hash_ = 0, next_stop_tick_ = 0;
   const char* last_sentence_ = nullptr;
+  std::int32_t told_sequence_ = 0;  // of the mode request that had been heard when it was told
 };
 
 int run(int argc, char** argv) { return run_ready<Controller>("controller", parse(argc, argv), kPriority); }

@@ -187,6 +187,13 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     sentence_ = "a motion is played by ./twinbus motion FILE --play; the mode stays as it is";
     return;
   }
+  if (request.mode == Mode::kBalance && request.motion != Motion::kNone && standing_ == nullptr) {
+    sentence_ = model_.floating_base ? "sway and squat move a robot that balances on its legs, and this one cannot: ./twinbus pose NAME or JOINT=ANGLE "
+                                       "moves its joints; the mode stays as it is"
+                                     : "sway and squat move a robot that balances on its legs, and the base of this one is fixed: ./twinbus pose and "
+                                       "reach move it; the mode stays as it is";
+    return;
+  }
   if (put_off(request)) return;
   if (request.mode == Mode::kPose && !walks()) {
     if (const char* why = why_no_pose(request, now)) {

@@ -118,18 +118,19 @@ namespace {
 int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
-  // A walk is brought to rest first, a motion ended.
+  // A walk is brought to rest first, a motion ended; sway dies away before squat begins.
   const std::int64_t begin = monotonic_ns();
   const auto busy = [&] {
     const ControllerStatus& now = bus.seen().controller();
-    return now.mode == Mode::kWalk || now.motion == Motion::kPlayed || request.motion == Motion::kPlayed;
+    const bool another = request.motion != Motion::kNone && now.mode == request.mode && now.motion != Motion::kNone;
+    return now.mode == Mode::kWalk || now.motion == Motion::kPlayed || request.motion == Motion::kPlayed || another;
   };
   std::string refusal;
   while (!quit_requested() && busy() && refusal.empty() &&
          !does(bus.seen().controller(), request) && seconds_since(begin) < kWalkEnds) {
     bus.listen(0.05);
     // Who has no motion says so at once; who has one says nothing until it has played.
-    if (request.motion == Motion::kPlayed) refusal = said_by_controller(bus);
+    if (request.motion != Motion::kNone) refusal = said_by_controller(bus);
   }
   bus.listen(0.05);
   if (!does(bus.seen().controller(), request)) {

@@ -453,6 +453,16 @@ TEST(ControlLoop, ARobotOnAFixedBaseHoldsAndIsNotToldThatItCannotBalance) {
   ASSERT_NE(sentence, nullptr);
   EXPECT_NE(std::string(sentence).find("the base is fixed"), std::string::npos) << sentence;
   EXPECT_EQ(rig.loop().status().mode, Mode::kHold);
+  for (const Motion motion : {Motion::kSway, Motion::kSquat}) {
+    ++balance.sequence;
+    balance.motion = motion;
+    rig.loop().on_mode_request(balance);
+    ASSERT_TRUE(rig.run(0.02));
+    sentence = rig.loop().take_sentence();
+    ASSERT_NE(sentence, nullptr);
+    EXPECT_NE(std::string(sentence).find("./twinbus pose and reach move it"), std::string::npos) << sentence;
+    EXPECT_EQ(rig.loop().status().mode, Mode::kHold);
+  }
 }
 
 TEST(ControlLoop, NoTickAllocatesInAnyMode) {
