@@ -359,7 +359,9 @@ CheckSubject subject_asked_for(const std::string& name, bool mends, const std::s
   } catch (const std::runtime_error&) {
     throw error;
   }
-  throw std::runtime_error(std::string(error.what()) + "; or let --mend put it right in a copy");
+  const std::string faults = error.what();
+  const bool several = faults.find('\n') != std::string::npos;
+  throw std::runtime_error(faults + (several ? "\nor let --mend put all of it right in a copy" : "; or let --mend put it right in a copy"));
 }
 
 }  // namespace

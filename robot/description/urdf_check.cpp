@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "common/text/closest_name.h"
 #include "common/text/formatted.h"
@@ -17,6 +18,7 @@ namespace twinbus::inline robot {
 namespace {
 
 constexpr std::size_t kMaxLinks = 2000;
+constexpr std::size_t kMostFaults = 12;  // told at once
 constexpr double kFarthest = 1e3;  // of an origin from its parent [m], and of an angle [rad]
 constexpr double kLargest = 1e20;  // of an effort, speed, damping, inertia and so on, in SI units
 
@@ -38,17 +40,20 @@ class Checker {
     std::vector<const XmlElement*> joints;
     for (const XmlElement& element : robot.children) {
       if (element.name == "link") {
-        if (!links_.emplace(name_of(element), element.line).second) {
-          fail_at(file_, element.line, "link " + name_of(element) + " is there twice; rename one");
-        }
-        check_link(element);
+        keep_fault([&] {
+          if (!links_.emplace(name_of(element), element.line).second)
+            fail_at(file_, element.line, "link " + name_of(element) + " is there twice; rename one");
+          check_link(element);
+        });
       } else if (element.name == "joint") {
-        if (!joints_.emplace(name_of(element), &element).second) {
-          fail_at(file_, element.line, "joint " + name_of(element) + " is there twice; rename one");
-        }
-        joints.push_back(&element);
+        keep_fault([&] {
+          if (!joints_.emplace(name_of(element), &element).second)
+            fail_at(file_, element.line, "joint " + name_of(element) + " is there twice; rename one");
+          joints.push_back(&element);
+        });
       }
     }
+    if (links_.empty()) throw_faults();
     if (links_.empty())
       fail_at(file_, robot.line, "the robot has no link; add <link name=\"base\"/>");
     if (links_.size() > kMaxLinks || joints.size() > kMaxLinks) {
@@ -57,11 +62,28 @@ class Checker {
                   " joints; at most " + std::to_string(kMaxLinks) +
                   " are read: simplify the robot");
     }
-    for (const XmlElement* joint : joints) check_joint(*joint);
+    for (const XmlElement* joint : joints) keep_fault([&] { check_joint(*joint); });
+    throw_faults();
     check_tree(joints);
   }
 
  private:
+  // What is wrong with one link or joint says nothing of the others.
+  template <class Check>
+  void keep_fault(const Check& check) {
+    try {
+      check();
+    } catch (const std::runtime_error& fault) {
+      if (++faults_ > kMostFaults) return;
+      told_ += (faults_ == 1 ? "" : "\n  ") + std::string(fault.what());
+    }
+  }
+
+  void throw_faults() const {
+    if (faults_ == 0) return;
+    throw std::runtime_error(told_ + (faults_ > kMostFaults ? "\n  and " + std::to_string(faults_ - kMostFaults) + " more" : std::string()));
+  }
+
   // A macro file looks like a URDF and says nothing; its expansion is one.
   void refuse_xacro(const XmlElement& element) const {
     bool macro = element.name.rfind("xacro:", 0) == 0;
@@ -397,6 +419,8 @@ class Checker {
                 "; remove one of its joints and hang the rest on the root");
   }
 
+  std::size_t faults_ = 0;
+  std::string told_;
   std::string file_;
   std::map<std::string, int> links_;  // name, line
   std::map<std::string, const XmlElement*> joints_;

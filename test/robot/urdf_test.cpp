@@ -258,6 +258,23 @@ TEST(Urdf, ImpossibleInertiaIsRefused) {
   EXPECT_NE(error("ixx='1' ixy='0' ixz='0' iyy='1' iyz='0'").find("no izz"), std::string::npos);
 }
 
+// Nobody mends one fault a time.
+TEST(Urdf, WhatIsWrongWithSeveralLinksAndJointsIsSaidAtOnce) {
+  const auto parse = [](const std::string& middle) {
+    return error_of([&] { (void)parse_urdf("<robot name='r'>\n<link name='a'/>\n<link name='b'/>\n" + middle + "</robot>", "r.urdf", {}); });
+  };
+  const std::string joint = "<joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint>\n";
+  const std::string said = parse("<link name='b'/>\n<link name='c'><inertial><mass value='-1'/></inertial></link>\n" + joint);
+  for (const char* fault : {"r.urdf:4: link b is there twice", "\n  r.urdf:5: link c: ", "\n  r.urdf:6: joint j: "})
+    EXPECT_NE(said.find(fault), std::string::npos) << fault << " in " << said;
+  EXPECT_EQ(parse(joint).find('\n'), std::string::npos) << "one fault is one line";
+  std::string many;
+  for (int i = 0; i < 20; ++i) many += "<link name='b'/>\n";
+  const std::string cut = parse(many);
+  EXPECT_EQ(std::count(cut.begin(), cut.end(), '\n'), 12) << cut;
+  EXPECT_NE(cut.find("and 8 more"), std::string::npos) << cut;
+}
+
 TEST(ParseNumbers, TakesNumbersAndNothingElse) {
   double v[3];
   EXPECT_TRUE(parse_numbers(" 1 -2.5e-3\t+3 ", v, 3));
