@@ -99,7 +99,7 @@ void print(const OneProcess& run, const Criteria& asked, const RunVerdict& verdi
     }
     std::printf("\n");
   }
-  if (verdict.passed) std::printf("passed\n");
+  if (verdict.passed) std::printf("%s\n", passed_line(run.trust().doubted).c_str());
 }
 
 constexpr const char* kSimdNames[] = {"baseline", "avx2", "avx512"};

@@ -61,6 +61,12 @@ std::string doubts_line(const TrustCounts& trust) {
   return line + formatted("), the first at %.3f s", trust.first_at);
 }
 
+std::string passed_line(std::int64_t doubted_steps, bool log_cut) {
+  std::string line = "passed";
+  if (doubted_steps > 0) line += formatted(" with %lld doubted steps: ./twinbus tune finds a step without", static_cast<long long>(doubted_steps));
+  return line + (log_cut ? ", but the log is cut" : "");
+}
+
 nlohmann::ordered_json doubts_json(const TrustCounts& trust) {
   nlohmann::ordered_json doubted;
   doubted["any"] = trust.doubted;
@@ -119,6 +125,7 @@ RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const Miss
   verdict.missed_allowed = verdict.fifo ? kMissedWithFifo : kMissedWithoutFifo;
   verdict.fell = seen.figures().fell;
   verdict.doubts = doubts_line(doubts_of(seen.figures()));
+  verdict.doubted_steps = seen.figures().doubted_steps;
   if (const SeenSource* active = seen.active(now_ns)) {
     if (active->status.role == Role::kStopped) {
       verdict.failures.push_back(std::string("the source is stopped (") +
@@ -221,7 +228,7 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
   if (verdict.not_recorded > 0 && !request.whole_log) lines.push_back(cut_log_text(verdict.not_recorded));
   if (verdict.by_operator) lines.push_back(formatted("ended by the operator after %.1f s", verdict.measured));
   for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);
-  if (verdict.passed) lines.push_back(verdict.not_recorded > 0 ? "passed, but the log is cut" : "passed");
+  if (verdict.passed) lines.push_back(passed_line(verdict.doubted_steps, verdict.not_recorded > 0));
   return lines;
 }
 

@@ -58,6 +58,7 @@ struct RunVerdict {
   bool passed = false;
   std::vector<std::string> failures;  // one sentence each
   std::string doubts{};               // what the simulator says of its own steps: doubts_line()
+  std::int64_t doubted_steps = 0;
   std::vector<std::string> left_out;  // what was asked and could not be judged: the run is only a part of its scene
   std::int64_t not_recorded = 0;      // messages that recorders lost: a disk that is full, a socket that was
   bool by_operator = false;           // ended by Ctrl-C
@@ -77,6 +78,8 @@ void end_by_operator(RunVerdict& verdict, const RunRequest& request, double meas
 
 // Which physics steps are not to be trusted, a line for people; empty: all are.
 std::string doubts_line(const TrustCounts& trust);
+// The last line of a run that its criteria passed: one verdict, though steps are doubted.
+std::string passed_line(std::int64_t doubted_steps, bool log_cut = false);
 
 // The same of a report: doubted_steps, with those of each kind.
 nlohmann::ordered_json doubts_json(const TrustCounts& trust);

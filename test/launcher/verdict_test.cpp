@@ -191,6 +191,9 @@ TEST(Verdict, WhatTheSimulatorDoubtsIsInLinesAndReport) {
   EXPECT_EQ(verdict.doubts, said);
   const std::vector<std::string> lines = verdict_lines(verdict, run.request);
   EXPECT_NE(std::find(lines.begin(), lines.end(), said), lines.end());
+  EXPECT_EQ(std::find(lines.begin(), lines.end(), "passed"), lines.end()) << "one verdict, not two";
+  EXPECT_EQ(passed_line(3), "passed with 3 doubted steps: ./twinbus tune finds a step without");
+  EXPECT_EQ(passed_line(0), "passed");
   const auto json = nlohmann::json::parse(report_json(verdict, run.request, run.seen, 1.0, ""));
   EXPECT_EQ(json["doubted_steps"]["any"], 3);
   EXPECT_EQ(json["doubted_steps"]["unconverged"], 2);
