@@ -14,6 +14,7 @@
 #include "control/motion/motion_check.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/motion/motion_play.h"
+#include "launcher/stack/asked_robot.h"
 #include "robot/description/load.h"
 #include "robot/motion/motion_clip.h"
 #include "robot/motion/motion_file.h"
@@ -126,7 +127,7 @@ FILE is CSV with a row of names (time, root_x root_y root_z root_qw root_qx root
 without one and --columns, or NPZ (joint_pos or dof_pos, joint_names, fps, root_pos and root_rot).
 A standing robot plays the joints of its trunk and arms as they are; its legs keep the soles where they stand
 and move the centre of mass as far as balance allows.  Exit status 1 if anything is wrong: then it is not played.
-  --robot
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
   --check  only check, which is what it does without --play
   --play  and then play it on the robot that runs (./twinbus up); a walk is brought to rest first
   --as-recorded  every joint as the file has it, legs too: for a policy that tracks it
@@ -143,7 +144,7 @@ and move the centre of mass as far as balance allows.  Exit status 1 if anything
     throw UsageError(
         "motion: --play stands without --check and --as-recorded; legs as recorded are for a "
         "policy");
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   const MotionFile file = read_motion(arguments.word(0), format_of(arguments));
   MotionOptions options;
   options.speed = arguments.number("--speed", 1.0, 0.05, 1.0);

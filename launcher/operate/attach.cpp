@@ -12,6 +12,7 @@
 #include "common/process/process.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/operate/asked_hand.h"
+#include "launcher/stack/asked_robot.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/messages.h"
@@ -127,9 +128,10 @@ Tells planner and guard that a hand holds this: it moves with the hand and is ke
 of that hand. ARM: of a robot with other arms the name of one (robot.yaml, hands). \
 Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or ./twinbus release, then the hand is empty.
   --for S  so many seconds instead
-  --robot --prefix --url --allow)"}, words);
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
+  --prefix --url --allow)"}, words);
   catch_quit_signals();
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   const Hand& arm = asked_hand("attach", model, arguments.word(0));
   const auto hand = static_cast<std::int16_t>(number_of(model, arm));
   const std::string name = spoken_name(model, arm);
@@ -167,9 +169,10 @@ Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or ./twinbus rele
 int release_command(const std::vector<std::string>& words) {
   const Arguments arguments({"release", 1, 1, R"(left|right|ARM
 Tells planner and guard that the hand is empty, whoever told them what it holds.
-  --robot --prefix --url --allow)"}, words);
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
+  --prefix --url --allow)"}, words);
   catch_quit_signals();
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   const Hand& arm = asked_hand("release", model, arguments.word(0));
   const auto hand = static_cast<std::int16_t>(number_of(model, arm));
   Teller teller(model, bus_options(arguments), hand);

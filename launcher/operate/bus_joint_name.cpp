@@ -3,20 +3,14 @@
 #include <exception>
 
 #include "common/math/index.h"
-#include "launcher/stack/run_folder.h"
+#include "launcher/stack/asked_robot.h"
 #include "robot/description/load.h"
 
 namespace twinbus::inline launcher {
 
 std::string bus_joint_name(const std::string& robot, std::int64_t model_hash, std::size_t index) {
-  std::string from = robot;
   try {
-    if (from.empty()) from = first_line_of(running_folder() + "/setup/" + kRunningRobot);
-  } catch (const std::exception&) {
-    from = "";  // its stack was started elsewhere
-  }
-  try {
-    const Model model = load_robot(from.empty() ? "hrp1s" : from);
+    const Model model = load_robot(asked_robot(robot));
     if (model.hash == model_hash && index < model.bus_joints.size()) return model.joints[at(model.bus_joints[index])].name;
   } catch (const std::exception&) {
     // The number is still true.

@@ -15,6 +15,7 @@
 #include "common/text/xml.h"
 #include "launcher/operate/asked_hand.h"
 #include "launcher/operate/operate.h"
+#include "launcher/stack/asked_robot.h"
 #include "robot/description/model.h"
 #include "robot/description/load.h"
 #include "robot/description/named_hands.h"
@@ -101,10 +102,10 @@ int grip_command(const std::vector<std::string>& words) {
 Opens or closes the fingers of a hand as one, or so far: 0 is closed, 1 open (robot.yaml, grippers).  They move no faster than \
 a pose, and stop at what they grip; an arm that is on its way stops.
   --side S  left, right, or the name of an arm (robot.yaml, hands); default all
-  --robot
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
   --duration S  seconds; default 0.5
   --prefix --url --allow)"}, words);
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   const Grippers grippers = grippers_asked_for(arguments, model);
   const double wanted = share_from(arguments.word(0));
   ModeRequest request;

@@ -14,6 +14,7 @@
 #include "common/text/xml.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/commands/commands.h"
+#include "launcher/stack/asked_robot.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
@@ -324,10 +325,10 @@ int pose_command(const std::vector<std::string>& words) {
   const Arguments arguments({"pose", 1, 1, R"(NAME|JOINT=ANGLE[,JOINT=ANGLE...]
 Moves to a named pose of the robot's SRDF (group_state), or these joints to these angles [rad or m].
 A pose on whose way a standing robot would fall is refused.
-  --robot
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
   --duration S  seconds; default 2
   --prefix --url --allow)"}, words);
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   ModeRequest request;
   request.mode = Mode::kPose;
   request.duration = static_cast<float>(arguments.number("--duration", 2.0, 0.1, 60.0));

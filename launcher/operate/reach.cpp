@@ -23,6 +23,7 @@
 #include "launcher/operate/reach_goal.h"
 #include "launcher/operate/reach_progress.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/stack/asked_robot.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/event_code.h"
@@ -322,9 +323,10 @@ ground frame: midway between the feet, x forward, z up.
   --tool T  what is to be there instead of the hand's own frame: X,Y,Z or X,Y,Z,R,P,Y in it, a name under tools: of robot.yaml, \
       or a link that the hand carries; without R P Y it keeps its turn
   --speed SHARE  of the joints' velocity limits, 0.01 to 1 (0.4)
-  --robot --prefix --url --allow)"}, words);
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
+  --prefix --url --allow)"}, words);
   catch_quit_signals();
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   ArmGoal goal;
   Wish wish = wish_from(arguments, model, goal);
   const BusOptions options = bus_options(arguments);

@@ -14,6 +14,7 @@
 #include "control/walk/walk_gains.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/operate/operate.h"
+#include "launcher/stack/asked_robot.h"
 #include "lcmtypes/msg/labels.h"
 #include "robot/description/load.h"
 
@@ -101,7 +102,7 @@ void say_if_limited(const Model& model, std::int64_t running_hash, const WalkCom
 }
 
 int walk_steps(const Arguments& arguments) {
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   const Gait gait = gait_of(model, model.walking, WalkGains{}.stabilizer.margin);
   StepList list = read_feasible_steps(arguments.text("--steps", ""), model, gait);
   BusLink bus = open_bus(arguments);
@@ -143,7 +144,8 @@ stands then (x forward, y left [m], yaw [rad]):
 What the legs do not reach, and a sole on the other, is refused before anything moves.
   --for S  seconds; default 2
   --steps FILE  footsteps instead of a velocity
-  --robot --prefix --url --allow)"}, words);
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
+  --prefix --url --allow)"}, words);
   if (arguments.has("--steps")) {
     if (!arguments.words().empty() || arguments.has("--for"))
       throw UsageError("walk: --steps FILE stands alone, without a velocity or a time");
@@ -155,7 +157,7 @@ What the legs do not reach, and a sole on the other, is refused before anything 
   command.vy = static_cast<float>(arguments.word_number(1, "VY", -1.0, 1.0));
   command.wz = static_cast<float>(arguments.word_number(2, "WZ", -2.0, 2.0));
   command.timeout = 0.3F;
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Model model = load_robot(asked_robot(arguments));
   const double duration = arguments.number("--for", 2.0, 0.1, 3600.0);
   BusLink bus = open_bus(arguments);
   ModeRequest request;

@@ -15,6 +15,7 @@
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/stack/asked_robot.h"
 #include "launcher/stack/run_folder.h"
 #include "launcher/up/restart.h"
 #include "robot/description/load.h"
@@ -82,8 +83,9 @@ Pushes a link of the simulated robot with a force [N] along the axes of the worl
 y left, z up), as in: ./twinbus push CHEST 60 0 0 --for 0.2
   --for S  seconds; default 0.1
   --at X,Y,Z  where on the link, in its frame [m]; default its centre of mass
-  --robot --prefix --url --allow)"}, words);
-  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  --robot R  default the robot of the running ./twinbus up, else hrp1s
+  --prefix --url --allow)"}, words);
+  const Model model = load_robot(asked_robot(arguments));
   const int link = model.find_link(arguments.word(0));
   if (link < 0) {
     BusLink bus = open_bus(arguments);
