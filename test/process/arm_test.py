@@ -184,8 +184,9 @@ def main():
             keys.close()
             reaches(checks, robot)
             grips(checks, bus, robot)
-            status, out, err = cli("pose", "wrist_turn=2.4", "--duration", "0.3", "--robot", robot)
-            checks.that(status == 0 and "in the pose" in out, f"a pose that takes longer than was asked is waited for: {out}{err}")
+            status, out, err = cli("pose", "wrist_turn=2.4", "--duration", "0.3")
+            checks.that(status == 0 and "in the pose" in out,
+                        f"a pose of the robot that runs, which takes longer than was asked, is waited for: {out}{err}")
             bus.close()
     checks.exit()
 
