@@ -3,14 +3,18 @@
 
 #pragma once
 
+#include <cmath>
+
 #include "lcmtypes/msg/messages.h"
 
 namespace twinbus::inline lcmtypes {
 
-// A free base that is tilted by more than 60 degrees.
+inline constexpr double kLiesTilt = 1.0471975511965976;  // 60 degrees [rad]
+
+// A free base that is tilted by more than that.
 inline bool lies_down(const Estimate& estimate) noexcept {
   const double x = estimate.base_attitude[1], y = estimate.base_attitude[2];
-  return estimate.velocity_from != VelocityFrom::kFixed && 1.0 - 2.0 * (x * x + y * y) < 0.5;
+  return estimate.velocity_from != VelocityFrom::kFixed && 1.0 - 2.0 * (x * x + y * y) < std::cos(kLiesTilt);
 }
 
 }  // namespace twinbus::lcmtypes

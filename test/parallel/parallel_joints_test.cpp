@@ -245,6 +245,20 @@ TEST(ParallelJoints, TheJointsHaveTheLimitsOfTheirMotors) {
   EXPECT_EQ(pair_with(ankles(), model.find_joint("RLEG_KNEE")), nullptr);
 }
 
+// A speed of 0 in a URDF is none: the pair's own share it, and the joint that has a limit keeps most of it.
+TEST(ParallelJoints, AJointWithoutASpeedOfItsOwnTakesLittleOfThatOfItsPartner) {
+  const Model plain = load_robot("biped12");
+  std::string urdf = plain.urdf_text;
+  const std::size_t joint = urdf.find("<joint name=\"RLEG_ANKLE_R\""), speed = urdf.find("velocity=\"", joint) + 10;
+  ASSERT_LT(speed, urdf.find("</joint>", joint));
+  urdf.replace(speed, urdf.find('"', speed) - speed, "0");
+  const Model model = load_robot_texts(
+      {.folder = plain.folder, .yaml = plain.yaml_text + parallel_ankles_text(), .urdf = urdf, .srdf = plain.srdf_text});
+  const auto speed_of = [](const Model& robot, const char* name) { return robot.joints[static_cast<std::size_t>(robot.find_joint(name))].velocity; };
+  EXPECT_GT(speed_of(model, "RLEG_ANKLE_P"), 0.5 * speed_of(parallel_biped(), "RLEG_ANKLE_P"));
+  EXPECT_LT(speed_of(model, "RLEG_ANKLE_R"), 16.5);  // of its motors, 1 : 1
+}
+
 std::string refusal(std::string from, const std::string& to) {
   std::string text = parallel_ankles_text();
   const std::size_t at = text.find(from);

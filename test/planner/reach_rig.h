@@ -50,6 +50,16 @@ inline ArmGoal hand_to(ArmSide side, double x, double y, double z) {
   return goal;
 }
 
+// The ground frame where standing() stands.
+inline const Eigen::Isometry3d kGround = Eigen::Isometry3d::Identity();
+
+inline ArmPlan plan_with(const std::vector<Obstacle>& obstacles, const ArmGoal& goal,
+                  const Configuration& start, std::uint64_t seed) {
+  ArmPlanner planner(hrp1s());
+  planner.set_obstacles(obstacles);
+  return planner.plan(goal, start, kGround, seed);
+}
+
 inline Configuration posture_at(const ArmPlan& plan, const Configuration& start, double time) {
   Configuration posture = start;
   JointPoint q, qd, qdd;

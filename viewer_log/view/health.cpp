@@ -3,6 +3,7 @@
 #include "common/text/formatted.h"
 #include "common/text/name_of.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/lies_down.h"
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/pace.h"
 
@@ -14,7 +15,6 @@ constexpr double kStateSilent = 0.25;  // [s]
 constexpr double kSenderSilent = 0.5;  // [s]
 constexpr double kSourceSilent = 1.0;  // [s]
 constexpr double kThinMargin = 0.010;  // ZMP to the edge of the soles [m]
-constexpr double kLies = 1.047;        // of the base, as lcmtypes/msg/lies_down.h [rad]
 constexpr double kSlow = 0.95;         // real-time factor
 
 bool any_source(const StackView& view, std::int64_t now_ns) {
@@ -74,7 +74,7 @@ Health assess(const StackView& view, std::int64_t now_ns) {
     if (source.value.run_id == state.run_id) reason = source.value.stop_reason;
   }
   const bool stopped = state.stop_kind != StopKind::kNone;
-  const bool lies = view.model().floating_base && view.estimator().tilt() > kLies;
+  const bool lies = view.model().floating_base && view.estimator().tilt() > kLiesTilt;
   if (((stopped && reason == StopReason::kFallen) || lies) && !view.truth_applies(now_ns)) {
     if (view.stand_in() && state.source == SourceKind::kBridge) return fallen(stopped);
     return {HealthLevel::kBad, std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
