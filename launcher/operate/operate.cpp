@@ -14,6 +14,7 @@
 #include "common/text/xml.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/commands/commands.h"
+#include "launcher/operate/bus_joint_name.h"
 #include "launcher/stack/asked_robot.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/motion_defaults.h"
@@ -89,6 +90,18 @@ bool does(const ControllerStatus& status, const ModeRequest& request) {
 
 }  // namespace
 
+std::string what_rests(const RobotState& state, const ModeRequest& request) {
+  std::size_t worst = 0;
+  double most = -1.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(state.joint_count); ++k) {
+    const double gap = (request.joint_mask >> k & 1) != 0 ? std::abs(state.q[k] - request.q[k]) : -1.0;
+    if (gap > most) worst = k, most = gap;
+  }
+  return bus_joint_name("", state.model_hash, worst) +
+         formatted(" rests %.3f rad or m short of it: the guard holds it (./twinbus status), something blocks it, or its servo gives way under the load",
+                   std::max(most, 0.0));
+}
+
 bool wait_for_joints(BusLink& bus, const ModeRequest& request, const JointsRest& rest) {
   const std::int64_t begin = monotonic_ns();
   std::int64_t moved_ns = begin;
@@ -148,7 +161,7 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   }
   print_typed(stderr, "%s: the robot did not get there: %s\n", asked,
                bus.seen().controller().mode == Mode::kPose
-                   ? "a joint is held or blocked (./twinbus status)"
+                   ? what_rests(bus.seen().newest_state(), request).c_str()
                    : why_it_stays(bus, request).c_str());
   return 1;
 }

@@ -15,6 +15,9 @@ bool ask_controller(BusLink& bus, ModeRequest& request);
 // After it was asked: why the controller does not do it, and the remedy.
 std::string why_it_stays(BusLink& bus, const ModeRequest& request);
 
+// "RF_KFE rests 0.047 rad or m short of it: ...", of the joint of a pose that is the farthest from it.
+std::string what_rests(const RobotState& state, const ModeRequest& request);
+
 // When joints that were sent somewhere have come there, or go no further.
 struct JointsRest {
   double there = 0.03;   // from where they were sent [rad or m]

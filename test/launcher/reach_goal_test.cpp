@@ -7,6 +7,7 @@
 #include "common/process/arguments.h"
 #include "launcher/operate/asked_hand.h"
 #include "launcher/operate/bus_joint_name.h"
+#include "launcher/operate/operate.h"
 #include "robot/description/load.h"
 #include "robot/description/named_hands.h"
 #include "test/carried_arms.h"
@@ -100,6 +101,15 @@ TEST(AimHand, TheToolComesToThePlace) {
 }
 
 // A joint that a message counts is told by its name.
+TEST(PoseCommand, NamesTheJointThatRestsTheFarthestFromItsPose) {
+  RobotState state;
+  ModeRequest request;
+  state.joint_count = 29;
+  request.joint_mask = 0b1011;
+  request.q[0] = 0.01, request.q[1] = -0.25, request.q[2] = 1.0;  // the third was not asked for
+  EXPECT_EQ(what_rests(state, request).find("joint 1 on the bus (--robot names it) rests 0.250 rad or m short of it: "), 0U) << what_rests(state, request);
+}
+
 TEST(BusJointName, IsTheRobotsOwnOrTheNumber) {
   const Model model = load_robot("hrp1s");
   for (const std::size_t k : {std::size_t{0}, std::size_t{14}})
