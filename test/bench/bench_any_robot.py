@@ -81,6 +81,14 @@ def descriptions(wheel, wanted=HUMANOIDS):
     return found
 
 
+def refusal(said):
+    """What check says of a file: the first of its faults, each a line."""
+    lines = said.strip().splitlines() or ["?"]
+    faults = [line for line in lines if line.startswith("check: ")] or lines[-1:]
+    more = sum(line.startswith("  ") for line in lines)
+    return faults[0] + (f" (and {more} more)" if more else "")
+
+
 class Robot:
     def __init__(self, file, folder, binary, env):
         self.file, self.folder, self.binary, self.env = file, folder, binary, env
@@ -99,7 +107,7 @@ class Robot:
         try:
             report = json.loads(done.stdout)
         except ValueError:
-            self.refused = (done.stderr.strip().splitlines() or ["?"])[-1]
+            self.refused = refusal(done.stderr)
             return
         trial = report["trial"]
         self.refused = trial["refusal"] or ("" if trial["stood"] else trial["cannot_balance"] or "; ".join(trial["weak"]))
@@ -169,7 +177,7 @@ def arms(files, count, held, base, away, keep, binary):
         try:
             trial = json.loads(done.stdout)["trial"]
         except ValueError:
-            print(f"{robot.name:28} refused: {(done.stderr.strip().splitlines() or ['?'])[-1]}", flush=True)
+            print(f"{robot.name:28} refused: {refusal(done.stderr)}", flush=True)
             continue
         if not trial["cannot_balance"].startswith("its base is fixed"):
             continue
