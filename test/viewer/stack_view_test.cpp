@@ -191,11 +191,11 @@ TEST(Health, SaysTheWorstThingFirst) {
 // Nobody else says so of a robot on hardware.
 TEST(Health, ARobotThatLiesHasFallenWhateverItsMode) {
   StackView view(model());
-  const std::int64_t now = kStart + 500 * kMs;
-  RobotState state = standing();
+  const std::int64_t now = kStackStart + 500 * kMs;
+  RobotState state = test::standing();
   state.sensor_flags |= kImuValid;
   state.attitude = {0.70710678F, 0.0F, -0.70710678F, 0.0F};
-  for (int i = 0; i <= 5; ++i) view.on_state(state, kStart + i * 100 * kMs);
+  for (int i = 0; i <= 5; ++i) view.on_state(state, kStackStart + i * 100 * kMs);
   ControllerStatus controller;
   controller.mode = Mode::kHold;
   view.on_controller_status(controller, now);
@@ -249,7 +249,7 @@ TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
 TEST(Health, AStandInRobotThatHasFallenBeginsAnew) {
   StackView view(model());
   view.say_stand_in(true);
-  RobotState state = standing();
+  RobotState state = test::standing();
   state.attitude = {0.70710678F, 0.0F, -0.70710678F, 0.0F};
   view.on_state(state, kStackStart);
   EXPECT_TRUE(assess(view, kStackStart).anew);
