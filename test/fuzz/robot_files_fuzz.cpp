@@ -1,5 +1,4 @@
-// Whatever is in a URDF, SRDF or robot.yaml: it is read, or refused with lines that name the file, one a fault, and a last one that counts
-// those which are not told.
+// Whatever is in a URDF, SRDF or robot.yaml: it is read, or refused with lines that name the file, one a fault.
 
 #include <cstdint>
 #include <cstdlib>
@@ -15,7 +14,7 @@ using namespace twinbus;
 
 namespace {
 
-constexpr int kMostFaults = 12;  // told at once
+constexpr int kMostFaults = 12;  // told at once; a last line counts the others
 
 template <class Read>
 void read_or_refuse(Read read) {
