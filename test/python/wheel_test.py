@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """`pip install ./python` as a stranger does it: the wheel is built and installed into a virtual environment of its own, and everything is
 asked of it outside the tree: simulations, environments, types (mypy --strict), the examples that need it, the programs, the commands of
-README.md and every block of doc/python.md, in its order.
+python/README.md and every block of doc/python.md, in its order.
 
     wheel_test.py WERROR [MORE WORDS FOR PIP]
 
@@ -37,16 +37,16 @@ def blocks(page, language):
 
 
 def pages(folder, clean):
-    """What README.md and doc/python.md say, word by word; ~ is a folder of its own, and its python the one of the page."""
+    """What python/README.md and doc/python.md say, word by word; ~ is a folder of its own, and its python the one of the page."""
     home = folder / "stranger"
     home.mkdir()
     there = dict(clean, HOME=str(home), XDG_DATA_HOME=str(folder / "home"), MPLBACKEND="Agg")
     words, = blocks("doc/python.md", "sh")
     run("bash", "-e", "-c", words, cwd=ROOT, env=there)
     installed = home / "twinbus-python/bin"
-    readme, = (block for block in blocks("README.md", "sh") if "pip install ./python" in block)
+    readme, = (block for block in blocks("python/README.md", "sh") if "pip install ./python" in block)
     said = run("bash", "-e", "-c", readme, cwd=ROOT, env=dict(there, PATH=f"{installed}:{clean['PATH']}"))
-    assert "10.0 seconds without a fall" in said, f"README.md: {said}"
+    assert "10.0 seconds without a fall" in said, f"python/README.md: {said}"
     work = folder / "notebook"
     work.mkdir()
     cells = blocks("doc/python.md", "python")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every path that a page names exists: links of README.md, doc/, examples/ and the rooms, and paths between backquotes that begin
 with a folder of the tree (without .h or .cpp too); and doc/protocol.md has every channel.
-Functions that a page names, as `CommandGate::judge()`, are in the code.
+Functions that a page names, as `CommandGate::judge()`, are in the code.  README.md is short enough to be read.
 
     pages_test.py [FOLDER]
 """
@@ -15,6 +15,7 @@ import lcm_channels
 
 from report import report
 
+README_LINES = 200
 PAGES = re.compile(r"(README\.md|doc/[^/]+\.md|examples/[^/]+\.md|[a-z_]+/README\.md|config/robots/README\.md)")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 HOLE = re.compile(r"(^|[/_])[A-Z]{3,}([/_.]|$)")  # test/ROOM, lcmtypes/NAME_t.lcm: for the reader to fill in
@@ -53,6 +54,9 @@ def check(root):
                         continue
                     if path.split("/")[0] in tops and not any((root / (path + end)).exists() for end in ("", ".h", ".cpp")):
                         problems.append(f"{page}:{number}: names {path}, which is not there: name the file that is")
+    lines = len((root / "README.md").read_text().splitlines())
+    if lines > README_LINES:
+        problems.append(f"README.md has {lines} lines, {README_LINES} are allowed: write it into a page of doc/ that the README leads to")
     check_protocol(root, problems)
     return problems
 
