@@ -322,7 +322,6 @@ void PointFeet::move_reference(double dt) noexcept {
     yaw_reference_ += std::min(1.0, dt / kSettle) * wrap_angle(yaw - yaw_reference_);
   }
   if (body_.two()) {  // it goes where its feet let it fall
-    yaw_reference_ = yaw_;
     reference_ << com_.head<2>(), ground_ + height_.position();
     reference_velocity_ << velocity_.head<2>(), height_.velocity();
     reference_acceleration_ << gait_.omega() * gait_.omega() * (com_.head<2>() - pressed_), height_.acceleration();
@@ -393,7 +392,6 @@ void PointFeet::push(const Estimator& estimator) noexcept {
   const Eigen::Vector3d spin = velocity_wanted_.z() * Eigen::Vector3d::UnitZ() - omega_;
   const Eigen::Matrix3d inertia = base_ * body_.inertia * base_.transpose();
   wanted.moment = inertia * (kTurning * kTurning * w * w * turn + 2.0 * kTurnDamping * kTurning * w * spin);
-  if (body_.two()) wanted.moment.z() = 0.0;  // which no point gives
   std::array<PointFoot, kPointFeet> feet;
   pressed_.setZero();
   double all = 0.0;
@@ -408,6 +406,7 @@ void PointFeet::push(const Estimator& estimator) noexcept {
     pressed_ += share * legs_[i].point.head<2>();
     all += share;
   }
+  if (body_.two() && !(feet[0].most > 0.0 && feet[1].most > 0.0)) wanted.moment.z() = 0.0;  // which no point gives
   pressed_ = all > 0.0 ? Eigen::Vector2d(pressed_ / all) : Eigen::Vector2d(com_.head<2>());
   forces_ = share_.solve(feet, wanted, kRounds);
   for (std::size_t i = 0; i < body_.legs.size(); ++i) {

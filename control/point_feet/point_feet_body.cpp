@@ -13,6 +13,7 @@ namespace twinbus::inline control {
 
 namespace {
 constexpr double kLevel = 0.15;  // of the plane of the feet [rad]
+constexpr double kWheel = 13.0;  // a foot that turns more than twice round on its own joint [rad]
 constexpr double kInside = 0.15; // the centre of mass, from the middle, in shares of the half length at most 1 - this
 
 Eigen::Matrix3d inertia_about_com(const Model& model, const Kinematics& k) {
@@ -34,6 +35,11 @@ PointFeetBody::PointFeetBody(const Model& model) {
   std::optional<PointLegs> found = point_legs(model, feet, &why);
   if (!found) throw std::runtime_error(why);
   legs = std::move(*found);
+  for (const PointLeg& leg : legs) {
+    const Joint& last = model.joints[at(leg.joints.back())];
+    if (two() && last.upper - last.lower > kWheel)
+      throw std::runtime_error("its feet are wheels (joint " + last.name + " turns on and on), and it balances by driving them, which we do not");
+  }
   const double each = 1.0 / static_cast<double>(legs.size());
   Configuration c(model, "half_sitting");
   for (int j = 0; model.find_pose("half_sitting") < 0 && j < model.joint_count(); ++j)

@@ -267,6 +267,11 @@ void print(const char* what, const WalkBound& bound, const char* unit, const cha
               bound.why.empty() ? "" : ": ", bound.why.c_str());
 }
 
+void print_failures(const Trial& trial, const char* remedy) {
+  for (const std::string& failure : trial.failures) std::printf("  %s\n", failure.c_str());
+  for (const std::string& weak : trial.weak) std::printf("  %s: %s\n", weak.c_str(), remedy);
+}
+
 void print(const Trial& trial) {
   std::printf("\n");
   if (!trial.refusal.empty()) return;  // said as the error
@@ -275,6 +280,11 @@ void print(const Trial& trial) {
       print_typed(stdout, "%s while its servos hold half_sitting; our controller cannot balance it or walk with it: %s.  A controller of "
                   "its own can: ./twinbus policy MODEL.onnx (doc/policy.md), or any program that sends COMMAND (examples/)\n",
                   trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
+      return;
+    }
+    if (trial.arm && !trial.stood) {
+      std::printf("DOES NOT HOLD its posture (%.1f s in the simulator):\n", trial.simulated_s);
+      print_failures(trial, "correct the limit in the URDF, let --mend guess it, or change half_sitting in the SRDF");
       return;
     }
     if (trial.arm) {
@@ -299,10 +309,7 @@ void print(const Trial& trial) {
   }
   std::printf("DOES NOT STAND (%.1f s in the simulator): %s\n", trial.simulated_s,
               trial.figures.c_str());
-  for (const std::string& failure : trial.failures) std::printf("  %s\n", failure.c_str());
-  for (const std::string& weak : trial.weak) {
-    std::printf("  %s: correct the limit in the URDF, or half_sitting in the SRDF\n", weak.c_str());
-  }
+  print_failures(trial, "correct the limit in the URDF, or half_sitting in the SRDF");
   std::printf(
       "  see `If it falls` in config/robots/README.md; what is named above as suspicious or to be "
       "looked "
@@ -372,7 +379,8 @@ Loads a robot (a name in config/robots, a folder, a URDF file, or an .xml of MuJ
 Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a URDF without
 robot.yaml, and for a MuJoCo model (MJCF), also proposes one, with a gait found by walking in the simulator.  The robot, or what \
 is proposed, stands for two seconds in the simulator.
-Exit status 1 if it is refused, with one line naming file and remedy, or does not stand though it has the legs.
+Exit status 1 if it is refused, with one line naming file and remedy, does not stand though it has the legs, or is an arm that does not hold \
+its posture on a fixed base.
   --json  everything as one JSON object
   --pairs  instead: which pairs of links can touch, with proof, and which of those that the SRDF leaves out do
   --cells  instead: finds what links with few joints between them can touch with, and keeps it in the user's cache (seconds; \
@@ -437,7 +445,7 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
     for (const Suspicion& s : find_missing(proposed)) missing.push_back(s);
   }
   const Model& gains = proposal ? proposed : model;  // a URDF alone has none
-  const bool good = trial.refusal.empty() && (trial.stood || !trial.cannot_balance.empty());
+  const bool good = trial.refusal.empty() && (trial.stood || (!trial.arm && !trial.cannot_balance.empty()));
   if (arguments.has("--json")) {
     json out = report(model, extent, gains);
     out["suspicious"] = to_json(suspicions);

@@ -13,13 +13,14 @@ namespace twinbus::inline robot {
 inline constexpr double kFarFromDrawn = 0.3;
 
 // The text with these put right, each said in changes; the text as it is when nothing was.
-// Links of a file without any <collision> are touched where they are drawn, of one without any mass get one each; sizes of nothing a millimetre; macros of xacro that only colour are left out.
+// Links of a file without any <collision> are touched where they are drawn, of one without any mass get one each; sizes of nothing a millimetre; macros of xacro that only colour, and
+// parts without a shape, are left out.
 // Commas between three numbers become spaces.
 // A mesh that is touched far from where the same mesh is drawn and the link weighs is put there.
 // An inertia that no body has becomes the nearest that one has, a placeholder or a negative one that of a box around the
 // link's geometry; an axis gets length 1; a range whose ends are exchanged is turned, one in degrees goes to radians; effort and
 // speed limits that are none are those of the joint on the other side, else the middle ones of the robot's others of
-// that kind, else a guess.
+// that kind, else a guess: of an effort twice what the joint carries with all behind it stretched out, at least 100.
 std::string mend_urdf(const std::string& text, const std::string& file, std::vector<std::string>& changes);
 
 // Left and right exchanged in the names of links and joints, where the feet point forward and the left one is on the right.

@@ -149,6 +149,25 @@ class Reader {
     joint.qpos = model_.qpos_count;
     model_.qpos_count += qpos_size(joint.kind);
     owner.joints.push_back(std::move(joint));
+    if (owner.parent == 0 && floats_in_parts(owner.joints)) {
+      MjcfJoint free;
+      free.kind = MjcfJointKind::kFree;
+      free.qpos = owner.joints.front().qpos;
+      free.element = owner.joints.front().element;
+      owner.joints = {std::move(free)};
+      model_.notes.push_back("body " + owner.name + ": its three slides and its ball are taken for the free joint that they are together");
+    }
+  }
+
+  // Three slides at right angles and a ball, none with an end: a free joint, written as some simulators did before there was one.
+  static bool floats_in_parts(const std::vector<MjcfJoint>& joints) {
+    if (joints.size() != 4 || joints[3].kind != MjcfJointKind::kBall) return false;
+    Eigen::Matrix3d axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (joints[i].kind != MjcfJointKind::kSlide || joints[i].limited) return false;
+      axes.col(static_cast<Eigen::Index>(i)) = joints[i].axis;
+    }
+    return (axes.transpose() * axes).isIdentity(1e-6);
   }
 
   static void limit(const MjcfElement& element, std::size_t there_are) {

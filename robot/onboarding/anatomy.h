@@ -46,14 +46,14 @@ Eigen::VectorXd neutral_posture(const Model& model);
 Kinematics at_rest(const Model& model);
 
 // A posture to stand in: soles flat, knees a little bent, the centre of mass above the middle of the
-// soles; all other joints as they are in q, or as in neutral_posture when it is empty.  Needs model.soles; false when
+// soles, legs that would all but touch a little apart; all other joints as they are in q, or as in neutral_posture when it is empty.  Needs model.soles; false when
 // the legs cannot do it.
 bool find_standing_posture(const Model& model, Eigen::VectorXd& q);
 
 // How far the arms are from the legs in a posture [m], at most 0.08.
 double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q);
 // How far the legs are from each other in a posture [m], at most 0.08.
-double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q);
+double leg_to_leg(const Model& model, const std::array<Sole, 2>& soles, const Eigen::VectorXd& q);
 // Turns arms that hang beside the legs outwards until they are 0.08 m from them, or as far as 0.5 rad do it; how far
 // they were turned [rad].
 double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q);

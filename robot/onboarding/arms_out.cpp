@@ -71,10 +71,10 @@ double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::Vec
   return kLegClearance;
 }
 
-double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q) {
+double leg_to_leg(const Model& model, const std::array<Sole, 2>& soles, const Eigen::VectorXd& q) {
   std::array<int, 2> root{};
   for (std::size_t side = 0; side < 2; ++side) {
-    root[side] = anatomy.soles[side].link;
+    root[side] = soles[side].link;
     while (root[side] > 0 && model.links[at(root[side])].parent > 0) root[side] = model.links[at(root[side])].parent;
   }
   if (root[0] <= 0 || root[1] <= 0 || root[0] == root[1]) return kLegClearance;

@@ -271,7 +271,7 @@ class Writer {
       if (!has_soles()) posture_ = to_vector(pose);
       if (!has_soles()) return;
       std::string why = why_it_falls(model_, to_vector(pose));
-      if (const double apart = leg_to_leg(model_, anatomy_, to_vector(pose)); why.empty() && apart < kLegsApart) {
+      if (const double apart = leg_to_leg(model_, anatomy_.soles, to_vector(pose)); why.empty() && apart < kLegsApart) {
         why = formatted("its legs are %.0f mm apart, and %.0f mm let them pass each other", 1e3 * apart, 1e3 * kLegsApart);
       }
       if (why.empty()) {

@@ -20,6 +20,8 @@ constexpr double kDrops[] = {0.06, 0.04, 0.025, 0.015, 0.008, 0.005, 0.003, 0.00
 constexpr int kPostureRounds = 60;
 constexpr double kKneeShare = 0.75;  // of its torque that carrying the robot on one leg may take
 constexpr double kBetweenSoles = 0.05;  // at least: feet that all but touch cannot be lifted past each other [m]
+constexpr double kBetweenLegs = 0.015;  // at rest, where wider stances allow it: a guard keeps 0.01 [m]
+constexpr double kMostWider = 0.08, kWiderStep = 0.01;  // [m]
 
 // Those of a leg that turn about y, from the foot up: ankle, knee and hip.  Of more the knee is nearest to halfway.
 std::vector<int> pitch_joints(const Model& model, const Kinematics& k, int foot_link) {
@@ -101,8 +103,10 @@ Kinematics at_rest(const Model& model) {
   return k;
 }
 
-bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
-  if (model.soles[0].link <= 0 || model.soles[1].link <= 0) return false;
+namespace {
+
+// With the feet so much farther apart than they are at rest, or than kBetweenSoles asks for [m].
+bool find_stance(const Model& model, double apart, Eigen::VectorXd& q) {
   Configuration c(model);
   c.q = q.size() == model.joint_count() ? q : neutral_posture(model);
   Kinematics k(model);
@@ -118,7 +122,7 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
     level += 0.5 * target[at(foot)].translation().z();
   }
   const double between = target[0].translation().y() - target[1].translation().y() - model.soles[0].right - model.soles[1].left;
-  const double wider = std::max(0.0, kBetweenSoles - between);
+  const double wider = std::max(0.0, kBetweenSoles - between) + apart;
   target[0].translation().y() += 0.5 * wider;
   target[1].translation().y() -= 0.5 * wider;
   Eigen::VectorXd bent = c.q;
@@ -142,6 +146,25 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
     return true;
   }
   return found;
+}
+
+}  // namespace
+
+bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
+  if (model.soles[0].link <= 0 || model.soles[1].link <= 0) return false;
+  const Eigen::VectorXd given = q;
+  if (!find_stance(model, 0.0, q)) return false;
+  // Thighs or hips that all but touch.
+  double gap = leg_to_leg(model, model.soles, q);
+  for (double apart = kWiderStep; gap < kBetweenLegs && apart < kMostWider + 0.5 * kWiderStep; apart += kWiderStep) {
+    Eigen::VectorXd wider = given;
+    if (!find_stance(model, apart, wider)) break;
+    const double reached = leg_to_leg(model, model.soles, wider);
+    if (!(reached > gap)) continue;
+    gap = reached;
+    q = wider;
+  }
+  return true;
 }
 
 }  // namespace twinbus::robot

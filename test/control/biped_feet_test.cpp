@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/math/pose_math.h"
 #include "control/point_feet/point_feet.h"
 #include "control/walk/footsteps.h"
 #include "robot/description/model.h"
@@ -82,7 +83,7 @@ TEST(LineFeet, WhatIsWideOrShortIsNoLine) {
   EXPECT_FALSE(ProposedBiped({.length = 0.2, .width = 0.12}).says("is a line"));
 }
 
-// Nobody stands on two lines that are one: it steps, as on points, though it drifts.
+// Nobody stands on two lines that are one: it steps, as on points.
 TEST(LineFeet, ALineAcrossTheFootSteps) {
   const ProposedBiped robot({.joints = "rpk", .shape = FootShape::kLyingAcross, .length = 0.12, .width = 0.015});
   EXPECT_TRUE(robot.says("on two feet that are points, or lines"));
@@ -93,6 +94,28 @@ TEST(LineFeet, ALineAcrossTheFootSteps) {
   walker.ask(Mode::kWalk);
   ASSERT_TRUE(walker.walk(0.2, 20.0));
   EXPECT_LT(walker.record().base_tilt_max, 0.2);
+}
+
+// No point gives a moment about the vertical; two of them do for as long as both stand.
+TEST(PointFeet, TwoKeepTheHeadingOfAWalk) {
+  const ProposedBiped robot({.joints = "rpk", .shape = FootShape::kLyingAlong, .length = 0.12, .width = 0.015});
+  FootWalker walker(robot.model);
+  ASSERT_TRUE(walker.run(2.0));
+  walker.ask(Mode::kWalk);
+  ASSERT_TRUE(walker.walk(0.2, 20.0));
+  const auto& truth = walker.truth();
+  EXPECT_LT(std::abs(yaw_of(quaternion_from_array(truth.base_attitude).toRotationMatrix())), 0.1);
+  EXPECT_LT(std::abs(truth.base_position[1]), 0.1 * truth.base_position[0]);
+}
+
+TEST(PointFeet, TwoWheelsAreNotBalanced) {
+  Model model = ProposedBiped({.joints = "rpk", .shape = FootShape::kLyingAcross, .length = 0.12, .width = 0.015}).model;
+  ASSERT_EQ(why_no_point_feet(model), nullptr);
+  Joint& knee = model.joints[static_cast<std::size_t>(model.find_joint("left_knee"))];
+  knee.lower = -10.0;
+  knee.upper = 10.0;
+  ASSERT_NE(why_no_point_feet(model), nullptr);
+  EXPECT_NE(std::string(why_no_point_feet(model)).find("its feet are wheels (joint left_knee turns on and on)"), std::string::npos);
 }
 
 TEST(LineFeet, ALineAcrossThatALegCanTurnIsSaidNotToBeWalked) {

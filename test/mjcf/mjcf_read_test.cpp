@@ -163,6 +163,19 @@ TEST(MjcfRead, KeyframesArePosesThatCountFromRef) {
   EXPECT_NEAR(model.joints[0].upper, 3.0 * ref, 1e-12);
 }
 
+TEST(MjcfRead, ThreeSlidesAndABallAreAFreeJoint) {
+  const std::string slides = "<joint type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/><joint type='slide' axis='0 0 1'",
+                    rest = "/><joint type='ball'/><geom size='0.1'/><body name='leg'><joint name='hip'/><geom size='0.1'/></body></body></worldbody>";
+  const MjcfRobot made = robot("<worldbody><body name='base'>" + slides + rest + "<keyframe><key name='home' qpos='0 0 0 1 0 0 0 0.5'/></keyframe>");
+  EXPECT_TRUE(made.floating);
+  const Model model = loaded(made);
+  ASSERT_EQ(model.joint_count(), 1);
+  const Srdf srdf = parse_srdf(made.srdf, "t.srdf");
+  ASSERT_FALSE(srdf.poses.empty());
+  EXPECT_NEAR(srdf.poses.back().joints[0].second, 0.5, 1e-12) << "its numbers come behind seven of the base";
+  EXPECT_THROW(robot("<worldbody><body name='base'>" + slides + " range='0 1' limited='true'" + rest), std::runtime_error);
+}
+
 TEST(MjcfRead, SitesOfAGyroAreTheImuAndExcludedBodiesNeverTouch) {
   const MjcfRobot made = robot(
       "<worldbody><body name='base'><freejoint/><geom size='0.1'/><site name='imu' pos='0 0 0.3'/><body name='leg'>"

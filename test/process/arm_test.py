@@ -161,6 +161,13 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         urdf, robot = pathlib.Path(scratch) / "made_arm.urdf", pathlib.Path(scratch) / "robot"
         urdf.write_text(arm())
+        weak = pathlib.Path(scratch) / "weak.urdf"
+        weak.write_text(arm().replace("effort='90'", "effort='0'"))
+        status, out, err = cli("check", weak, timeout=120)
+        told = "DOES NOT HOLD" in out and re.search(r"joint shoulder needs .* N m .*; its effort limit is 0.0: .* let --mend guess it", out)
+        checks.that(status == 1 and told, f"an arm without efforts is not called one: {out[-900:]}{err}")
+        status, out, err = cli("check", weak, "--mend", timeout=120)
+        checks.that(status == 0 and "arm_hold" in out, f"with guessed ones it is: {out[-900:]}{err}")
         status, out, err = cli("check", urdf, "--propose", robot, timeout=120)
         checks.that(status == 0 and "right gripper: finger_left 0.000 closed, 0.040 open" in out, f"proposed: {out[-800:]}{err}")
         checks.that("no pair of arms: its one arm is called right" in out and "no hands" not in out, f"one arm has a hand: {out[-800:]}")

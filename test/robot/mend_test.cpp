@@ -186,5 +186,29 @@ TEST(Mend, CommasBetweenThreeNumbersBecomeSpaces) {
   EXPECT_NE(mended.find("rpy=\"1.57  0 0.5\" xyz=\"0,5 0 0\""), std::string::npos) << mended;
 }
 
+TEST(Mend, ACollisionWithoutAShapeIsLeftOut) {
+  std::string text = "<robot name='r'>" + link("base", kGood) + "</robot>";
+  text.insert(text.find("</link>"), "<collision>\n</collision><visual><geometry/></visual>");
+  EXPECT_THROW(loaded(text), std::runtime_error);
+  std::vector<std::string> changes;
+  EXPECT_EQ(loaded(mend_urdf(text, "mend.urdf", changes)).links.front().collision.size(), 1U);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NE(changes.front().find("link base: a <collision> or <visual> without a shape is left out"), std::string::npos);
+}
+
+// As in the descriptions of arms that say no effort at all: 0.
+TEST(Mend, AnEffortThatNoJointSaysCarriesTheArmStretchedOut) {
+  const std::string none = "lower='-1' upper='1' effort='0' velocity='2'";
+  std::string text = "<robot name='r'>" + link("base", kGood) + link("upper", kGood) + link("fore", kGood) +
+                     joint("shoulder", "base", "upper", none) + joint("elbow", "upper", "fore", none) + "</robot>";
+  text.replace(text.find("<mass value='2'/>", text.find("fore")), 17, "<mass value='200'/>");
+  std::vector<std::string> changes;
+  const Model model = loaded(mend_urdf(text, "mend.urdf", changes));
+  const auto effort = [&](const char* name) { return model.joints[static_cast<std::size_t>(model.find_joint(name))].effort; };
+  EXPECT_NEAR(effort("shoulder"), 2.0 * 9.81 * 200.0 * 0.2, 1e-2);  // the forearm's centre of mass is 0.2 m beyond
+  EXPECT_NEAR(effort("elbow"), 100.0, 1e-9);
+  EXPECT_EQ(changes.size(), 2U);
+}
+
 }  // namespace
 }  // namespace twinbus

@@ -424,6 +424,31 @@ TEST(Proposal, ArmsThatHangBesideTheLegsAreHeldOut) {
   EXPECT_GT(q[model.find_joint("LARM_SHOULDER_R")], 0.0) << "the legs leave the arms where they are";
 }
 
+// Knobs on the insides of the thighs that all but touch at rest.
+TEST(Proposal, LegsThatAllButTouchStandApart) {
+  Model model = with_anatomy(find_anatomy(bare_hrp1s()));
+  Eigen::VectorXd before;
+  ASSERT_TRUE(find_standing_posture(model, before));
+  const Kinematics k = at_rest(model);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double to_middle = side == 0 ? -1.0 : 1.0;
+    const int thigh = model.links[at(model.joints[at(model.find_joint(side == 0 ? "LLEG_KNEE" : "RLEG_KNEE"))].child)].parent;
+    const Eigen::Isometry3d place = k.link_in_world(thigh);
+    Shape knob;
+    knob.kind = ShapeKind::kSphere;
+    knob.size = {0.02, 0.0, 0.0};
+    const Eigen::Vector3d inside(place.translation().x(), -to_middle * 0.022, place.translation().z() - 0.2);
+    knob.pose.translation() = place.inverse() * inside;
+    model.links[at(thigh)].collision.push_back(knob);
+  }
+  ASSERT_LT(leg_to_leg(model, model.soles, neutral_posture(model)), 0.005);
+  ASSERT_LT(leg_to_leg(model, model.soles, before), 0.015);
+  Eigen::VectorXd apart;
+  ASSERT_TRUE(find_standing_posture(model, apart));
+  EXPECT_GE(leg_to_leg(model, model.soles, apart), 0.015);
+  EXPECT_EQ(why_it_falls(model, apart), "");
+}
+
 TEST(RestPairs, ATouchAtRestIsExemptedWithItsMirrorImage) {
   Model model = hrp1s();
   const std::vector<int> images = mirror_images(model);
