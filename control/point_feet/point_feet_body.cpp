@@ -8,12 +8,14 @@
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "robot/description/link_points.h"
 
 namespace twinbus::inline control {
 
 namespace {
 constexpr double kLevel = 0.15;  // of the plane of the feet [rad]
-constexpr double kWheel = 13.0;  // a foot that turns more than twice round on its own joint [rad]
+constexpr double kTurns = 13.0;  // more than twice round [rad]
+constexpr double kRound = 0.2;   // the middle of a wheel from its axis, in radii at most
 constexpr double kInside = 0.15; // the centre of mass, from the middle, in shares of the half length at most 1 - this
 
 Eigen::Matrix3d inertia_about_com(const Model& model, const Kinematics& k) {
@@ -26,6 +28,20 @@ Eigen::Matrix3d inertia_about_com(const Model& model, const Kinematics& k) {
   }
   return sum;
 }
+
+// What the joint moves turns on and on about its own middle.
+bool is_wheel(const Model& model, int j) {
+  const Joint& joint = model.joints[at(j)];
+  if (joint.kind == JointKind::kPrismatic || !(joint.upper - joint.lower > kTurns)) return false;
+  Eigen::AlignedBox3d box;
+  double radius = 0.0;
+  for (const Eigen::Vector3d& point : link_points(model.links[at(joint.child)])) {
+    const Eigen::Vector3d from_axis = point - point.dot(joint.axis) * joint.axis;
+    box.extend(from_axis);
+    radius = std::max(radius, from_axis.norm());
+  }
+  return radius > 0.0 && box.center().norm() < kRound * radius;
+}
 }  // namespace
 
 PointFeetBody::PointFeetBody(const Model& model) {
@@ -37,7 +53,7 @@ PointFeetBody::PointFeetBody(const Model& model) {
   legs = std::move(*found);
   for (const PointLeg& leg : legs) {
     const Joint& last = model.joints[at(leg.joints.back())];
-    if (two() && last.upper - last.lower > kWheel)
+    if (two() && is_wheel(model, leg.joints.back()))
       throw std::runtime_error("its feet are wheels (joint " + last.name + " turns on and on), and it balances by driving them, which we do not");
   }
   const double each = 1.0 / static_cast<double>(legs.size());

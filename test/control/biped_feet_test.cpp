@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "common/math/pose_math.h"
@@ -114,6 +115,14 @@ TEST(PointFeet, TwoWheelsAreNotBalanced) {
   Joint& knee = model.joints[static_cast<std::size_t>(model.find_joint("left_knee"))];
   knee.lower = -10.0;
   knee.upper = 10.0;
+  ASSERT_EQ(why_no_point_feet(model), nullptr) << "a shank that may turn round is no wheel";
+  for (const char* name : {"left_knee", "right_knee"}) {
+    Shape wheel;
+    wheel.kind = ShapeKind::kCylinder;
+    wheel.size = {0.15, 0.04, 0.0};
+    wheel.pose.linear() = Eigen::AngleAxisd(0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    model.links[static_cast<std::size_t>(model.joints[static_cast<std::size_t>(model.find_joint(name))].child)].collision = {wheel};
+  }
   ASSERT_NE(why_no_point_feet(model), nullptr);
   EXPECT_NE(std::string(why_no_point_feet(model)).find("its feet are wheels (joint left_knee turns on and on)"), std::string::npos);
 }
