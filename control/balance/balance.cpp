@@ -36,6 +36,19 @@ Eigen::Vector2d sole_turning_stiffness(const Model& model) {
   return turning.cwiseMax(100.0);
 }
 
+// How far half_sitting has the centre of mass ahead of the middle of the soles, which stand flat; `otherwise` without such a pose [m].
+double stands_ahead(const Model& model, double otherwise) {
+  if (model.find_pose("half_sitting") < 0) return otherwise;
+  Kinematics k(model);
+  k.update(Configuration(model, "half_sitting"));
+  double ahead = 0.0;
+  for (const Sole& sole : model.soles) {
+    const Eigen::Isometry3d place = k.link_in_world(sole.link) * sole.frame;
+    ahead += 0.5 * ((place.inverse() * k.com()).x() - 0.5 * (sole.front - sole.back));
+  }
+  return ahead;
+}
+
 }  // namespace
 
 const char* Balance::why_not(const Model& model) noexcept {
@@ -73,6 +86,7 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
     }
   }
   find_waist();
+  stands_ahead_ = std::clamp(stands_ahead(model, gains.home_forward), gains.home_forward, -gains.home_forward);
   for (std::size_t s = 0; s < 2; ++s) {
     const Sole& sole = model.soles[s];
     soles_[s].front = sole.front;
@@ -169,7 +183,7 @@ void Balance::start(const Estimator& estimator) noexcept {
   first_.rest(1.0);
   first_.aim(0.0, gains_.settle);
   home_ << 0.5 * (soles_[0].centre() + soles_[1].centre()), com_.z();
-  home_.x() += gains_.home_forward;
+  home_.x() += stands_ahead_;
   motion_.start(home_, com_, com_velocity_, gains_.way_home);
   stabilizer_.start();
   start_trunk(estimator);

@@ -93,6 +93,7 @@ class Balance final : public Behavior {
   std::array<SoleOnGround, 2> soles_;
   MinJerk first_;  // 1 -> 0: how much of what was found at the start is still held
   Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
+  double stands_ahead_ = 0.0;  // of the middle of the soles, at home [m]
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d lean_wanted_ = Eigen::Vector2d::Zero(), lean_rate_wanted_ = Eigen::Vector2d::Zero();
   bool lean_given_ = false;

@@ -29,8 +29,8 @@ struct BalanceGains {
   double height = 15.0,
          height_damping = 0.8;  // of the centre of mass: frequency [rad/s] and damping
   double yaw = 8.0, yaw_damping = 0.8, yaw_gyration = 0.2;
-  // Home, ahead of the middle of the soles [m]: where half_sitting stands by itself, and where a push from behind has as
-  // much more room in front as it is asked to be stronger.
+  // Home, ahead of the middle of the soles [m]: where half_sitting stands by itself, so far behind it at most (or before it): a push
+  // from behind has as much more room in front as it is asked to be stronger.
   double home_forward = -0.020;
 };
 

@@ -19,6 +19,9 @@ namespace {
 constexpr double kDrops[] = {0.06, 0.04, 0.025, 0.015, 0.008, 0.005, 0.003, 0.002, 0.001};
 constexpr int kPostureRounds = 60;
 constexpr double kKneeShare = 0.75;  // of its torque that carrying the robot on one leg may take
+// The centre of mass stands behind the middle of the soles by this share of their length, but no farther than that [m]: balance
+// keeps it there (balance_gains.h), and a push from behind has room in front.
+constexpr double kBehind = 0.085, kMostBehind = 0.02;
 constexpr double kBetweenSoles = 0.05;  // at least: feet that all but touch cannot be lifted past each other [m]
 constexpr double kBetweenLegs = 0.015;  // at rest, where wider stances allow it: a guard keeps 0.01 [m]
 constexpr double kMostWider = 0.08, kWiderStep = 0.01;  // [m]
@@ -61,7 +64,7 @@ bool knees_carry(const Model& model, const Kinematics& k) {
   return true;
 }
 
-// Both soles flat at `target` (base's frame) and the centre of mass above their middle.
+// Both soles flat at `target` (base's frame) and the centre of mass a little behind their middle.
 bool put(const Model& model, std::vector<InverseKinematics>& legs,
          std::array<Eigen::Isometry3d, 2> target, Kinematics& k, Configuration& c) {
   for (int round = 0; round < kPostureRounds; ++round) {
@@ -70,7 +73,8 @@ bool put(const Model& model, std::vector<InverseKinematics>& legs,
       const IkResult result = legs[at(foot)].solve(target[at(foot)], {.restarts = 5}, c.q);
       if (!result.reached) return false;
       const Sole& sole = model.soles[at(foot)];
-      middle += 0.5 * (target[at(foot)].translation().x() + 0.5 * (sole.front - sole.back));
+      middle += 0.5 * (target[at(foot)].translation().x() + 0.5 * (sole.front - sole.back) -
+                       std::min(kMostBehind, kBehind * (sole.front + sole.back)));
     }
     k.update(c);
     const double error = k.com().x() - middle;
