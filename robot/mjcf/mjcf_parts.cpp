@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "robot/mjcf/mjcf_surface.h"
@@ -19,7 +20,21 @@ constexpr double kMostSize = 1e4;   // [m]
 constexpr double kNoLength = 1e-10;
 
 void note(const MjcfElement& element, const std::string& what, std::vector<std::string>& notes) {
-  notes.push_back(*element.place.file + ":" + std::to_string(element.place.line) + ": " + element.title() + ": " + what);
+  const std::string tail = ": " + what;
+  const auto same = std::find_if(notes.begin(), notes.end(), [&](const std::string& said) {
+    return said.ends_with(tail) && said.find(": " + element.name + " ") != std::string::npos;
+  });
+  if (same == notes.end()) {
+    notes.push_back(*element.place.file + ":" + std::to_string(element.place.line) + ": " + element.title() + tail);
+    return;
+  }
+  // One line for all that it is said of.
+  std::string first = same->substr(0, same->size() - tail.size());
+  int others = 1;
+  const std::size_t counted = first.rfind(" and ");
+  if (counted != std::string::npos && (first.ends_with(" others") || first.ends_with(" other"))) others = std::atoi(first.c_str() + counted + 5) + 1;
+  if (others > 1) first.resize(counted);
+  *same = first + " and " + std::to_string(others) + (others > 1 ? " others" : " other") + tail;
 }
 
 // The two ends of a capsule, cylinder, box or ellipsoid: its place and half length.

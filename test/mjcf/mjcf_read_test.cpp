@@ -163,6 +163,16 @@ TEST(MjcfRead, KeyframesArePosesThatCountFromRef) {
   EXPECT_NEAR(model.joints[0].upper, 3.0 * ref, 1e-12);
 }
 
+TEST(MjcfRead, WhatIsNotReadOfManyIsSaidOnce) {
+  std::string servos;
+  for (const char* joint : {"a", "b", "c"}) servos += std::string("<position name='") + joint + "' joint='" + joint + "' dampratio='1'/>";
+  const MjcfRobot made = robot("<worldbody><body><joint name='a'/><geom size='0.1'/><body><joint name='b'/><geom size='0.1'/><body><joint name='c'/>"
+                               "<geom size='0.1'/></body></body></body></worldbody><actuator>" + servos + "</actuator>");
+  const auto about = [](const std::string& note) { return note.find("dampratio") != std::string::npos; };
+  ASSERT_EQ(std::count_if(made.notes.begin(), made.notes.end(), about), 1);
+  EXPECT_NE(std::find_if(made.notes.begin(), made.notes.end(), about)->find("position a and 2 others: dampratio is not read"), std::string::npos);
+}
+
 TEST(MjcfRead, ThreeSlidesAndABallAreAFreeJoint) {
   const std::string slides = "<joint type='slide' axis='1 0 0'/><joint type='slide' axis='0 1 0'/><joint type='slide' axis='0 0 1'",
                     rest = "/><joint type='ball'/><geom size='0.1'/><body name='leg'><joint name='hip'/><geom size='0.1'/></body></body></worldbody>";
