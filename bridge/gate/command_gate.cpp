@@ -251,9 +251,13 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
   watch(now_ns);  // a process that slept finds its backlog too late
   const GateVerdict verdict = judge(command, tick);
   if (verdict != GateVerdict::kAccepted) {
-    if (verdict != GateVerdict::kClosed) ++counters_.rejected;
+    if (verdict == GateVerdict::kClosed) return verdict;
+    ++counters_.rejected;
+    refused_.add(verdict, command,
+                 {run_id_, term_, controller_, last_tick_, tick, limits_->joint_count, limits_->model_hash});
     return verdict;
   }
+  refused_.obeyed();
   ++counters_.accepted;
   if (late) ++counters_.late;
   if (next_controller_ != 0 && command.controller_id == next_controller_) {

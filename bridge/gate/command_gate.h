@@ -13,6 +13,7 @@
 #include "bridge/gate/gate_limits.h"
 #include "bridge/gate/masked_brake.h"
 #include "bridge/gate/plan_run.h"
+#include "bridge/gate/refused_command.h"
 #include "bridge/gate/soft_servos.h"
 #include "bridge/handover/rules.h"
 #include "bridge/gate/stop_latch.h"
@@ -24,21 +25,6 @@ struct ProtocolProbe;
 }  // namespace twinbus
 
 namespace twinbus::inline bridge {
-
-enum class GateVerdict : std::int8_t {
-  kAccepted = 0,
-  kClosed,    // obeys nobody now
-  kOtherRun,  // for another source
-  kOtherTerm,
-  kOtherController,  // bound to somebody else
-  kOldTick,          // not newer than the last
-  kTooOld,           // older than the command timeout, or from the future
-  kWrongSize,
-  kWrongModel,
-  kNotFinite,
-  kStopped,  // a stop is in force
-  kPlanRuns,  // a stop plan is followed, and this command may not end it
-};
 
 struct GateCounters {
   std::int64_t accepted = 0, rejected = 0, late = 0;
@@ -107,6 +93,7 @@ class CommandGate {
   const JointCommand& effective() const noexcept { return effective_; }
   const StopLatch& latch() const noexcept { return latch_; }
   const GateCounters& counters() const noexcept { return counters_; }
+  const RefusedCommand& refused() const noexcept { return refused_; }  // the last one
   const FirstCut& first_cut() const noexcept { return first_cut_; }
   // The first step of a set-point that had ticks without a command to make up for.
   const FirstCut& first_catch_up() const noexcept { return first_catch_up_; }
@@ -177,6 +164,7 @@ class CommandGate {
   PlanRefusal plan_refusal_ = PlanRefusal::kNone;
   StopLatch latch_;
   GateCounters counters_;
+  RefusedCommand refused_;
   FirstCut first_cut_, first_catch_up_;
   std::int64_t silent_ticks_ = 0;  // whose way the set-point has not made up for
   int made_up_ = 0;                // ticks with cut steps since

@@ -83,6 +83,7 @@ class Source {
   bool take_fall(std::array<char, 200>& cause) noexcept;
 
   const SourceStatus& status() const noexcept { return status_; }
+  const RefusedCommand& refused() const noexcept { return gate_.refused(); }
   const FirstCut& first_cut() const noexcept { return gate_.first_cut(); }  // of a command, by the gate
   const FirstCut& first_catch_up() const noexcept { return gate_.first_catch_up(); }
   // The command that was last written to the adaptor.

@@ -11,6 +11,7 @@
 #include "bridge/source/sim_obey.h"
 #include "bridge/source/sim_pace.h"
 #include "bridge/source/source_channels_main.h"
+#include "bridge/source/refusal_teller.h"
 #include "bridge/source/source_events.h"
 #include "bridge/source/wait_count.h"
 #include "common/process/priority.h"
@@ -325,7 +326,7 @@ class Shell {
     Event event;
     if (std::array<char, 200> cause; source_.take_fall(cause)) tell(2, cause.data());
     while (next_sentence(told_, status, event) || device_.next(static_cast<Status>(status.adaptor_status), now, event) ||
-           cuts_.next(source_.first_cut(), source_.first_catch_up(), model_, event))
+           cuts_.next(source_.first_cut(), source_.first_catch_up(), model_, event) || refusals_.next(source_.refused(), model_, now, event))
       send_event(event);
     if (changed || now - status_ns_ >= kStatusEvery_ns) {
       told_term_ = status.term;
@@ -418,6 +419,7 @@ class Shell {
   SimTruth truth_;
   SourceStatus told_;
   CutTeller cuts_;
+  RefusalTeller refusals_;
   DeviceTeller device_;
   MissedTicks missed_;
   SimPace clock_;

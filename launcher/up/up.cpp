@@ -27,6 +27,7 @@
 #include "launcher/stack/run_folder.h"
 #include "launcher/stack/stack.h"
 #include "launcher/stack/supervisor.h"
+#include "launcher/up/first_command.h"
 #include "launcher/up/restart.h"
 #include "launcher/up/robot_script.h"
 #include "launcher/up/setup_wish.h"
@@ -45,7 +46,6 @@ namespace twinbus::inline launcher {
 namespace {
 
 constexpr double kListenFirst = 0.4;         // sources and processes speak at 10 Hz [s]
-constexpr double kTellOfWaiting = 1.5;  // [s]
 constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms first [s]
 constexpr double kAskAgain = 0.25, kTableEvery = 0.25;  // table: on a terminal [s]
 constexpr double kLineEvery = 20.0;                     // elsewhere [s]
@@ -258,24 +258,8 @@ void Up::activate(const std::string& name) {
 }
 
 void Up::wait_for_first_commands() {
-  const std::int64_t begin = monotonic_ns();
-  bool told = false;
-  while (!quit_requested() && bus_->seen().command().received() == 0) {
-    bus_->receive(0.02);
-    if (!told && seconds(begin, monotonic_ns()) > kTellOfWaiting) {
-      told = true;
-      say("no COMMAND yet: waits up to 10 s for a controller" +
-          std::string(stack_.find("controller") == nullptr ? " of your own, as examples/02_command_joints.py" : ""));
-    }
-    supervisor_->watch(monotonic_ns());
-    if (supervisor_->broken())
-      throw std::runtime_error("a required process ended before the robot was running");
-    if (seconds(begin, monotonic_ns()) > kActivationTimeout) {
-      throw std::runtime_error(
-          "no COMMAND within 10 s: the controller does not answer STATE (its output: " + folder_ +
-          "/controller.log)");
-    }
-  }
+  const bool ours = stack_.find("controller") != nullptr;
+  wait_for_command(*bus_, *supervisor_, {ours ? folder_ + "/controller.log" : "", [this](const std::string& line) { say(line); }});
   if (!stack_.shadow.empty() && put_in_shadow(*bus_, *supervisor_, stack_.shadow))
     say("'" + stack_.shadow + "' shadows it: GAP is the difference");
   // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "bridge/source/device_teller.h"
+#include "bridge/source/refusal_teller.h"
 #include "lcmtypes/msg/refusal_text.h"
 #include "robot/stop_plan/plan_assembler.h"
 #include "test/bridge/small_robot.h"
@@ -140,6 +142,38 @@ TEST(SourceEvents, StopPlansThatAreRefusedOneAfterTheOtherAreToldOnceUntilOneIsT
   EXPECT_EQ(sentence(), "");
   now.plans_refused = 475;
   EXPECT_NE(sentence(), "");
+}
+
+// What a writer of a controller meets first.
+TEST(RefusalTeller, SaysWhichFieldIsWrongAndWhatItIsOnceItIsNoChance) {
+  const Model model = test::small_model();
+  JointCommand command;
+  command.run_id = 5;
+  command.term = 2;
+  command.controller_id = 9;
+  command.tick = 100;
+  command.joint_count = static_cast<std::int16_t>(model.bus_count());
+  command.model_hash = 77;
+  const WantedCommand want{.run_id = 5, .term = 3, .controller = 9, .last_tick = 99, .tick = 100, .joint_count = model.bus_count(), .model_hash = 78};
+  RefusedCommand refused;
+  RefusalTeller teller;
+  Event event;
+  const auto told = [&](GateVerdict why, std::int64_t now_ns) {
+    for (int i = 0; i < RefusalTeller::kInARow - 1; ++i) {
+      refused.add(why, command, want);
+      EXPECT_FALSE(teller.next(refused, model, now_ns, event));
+    }
+    refused.add(why, command, want);
+    return teller.next(refused, model, now_ns, event) ? std::string(event.text.data()) : std::string();
+  };
+  EXPECT_EQ(told(GateVerdict::kWrongModel, 0).substr(0, 70), "COMMAND is refused, 20 in a row: its model_hash is 77, this robot's 78");
+  EXPECT_FALSE(teller.next(refused, model, 1, event)) << "once";
+  EXPECT_TRUE(teller.next(refused, model, 11'000'000'000, event)) << "and again after a while";
+  EXPECT_NE(told(GateVerdict::kOtherTerm, 1).find("its term is 2, the active source's 3"), std::string::npos);
+  command.kd[1] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_NE(told(GateVerdict::kNotFinite, 2).find("of joint " + model.joints[static_cast<std::size_t>(model.bus_joints[1])].name), std::string::npos);
+  refused.obeyed();
+  EXPECT_EQ(told(GateVerdict::kStopped, 3), "") << "a stop has been told";
 }
 
 }  // namespace
