@@ -70,11 +70,13 @@ void WholeBodyIk::step_leg(std::size_t foot, const Eigen::Isometry3d& sole,
     dx = leg.jacobian().partialPivLu().solve(e);
   }
   LegMotion::Vector7 homewards = LegMotion::Vector7::Zero();
-  for (int k = 0; k < leg.chain().count; ++k) {
-    const int joint = leg.chain().joint[at(k)];
-    homewards[k] = kHomewards * (home_.q[joint] - configuration_.q[joint]);
+  if (leg.chain().count == 7) {  // others have no choice
+    for (int k = 0; k < leg.chain().count; ++k) {
+      const int joint = leg.chain().joint[at(k)];
+      homewards[k] = kHomewards * (home_.q[joint] - configuration_.q[joint]);
+    }
+    homewards = leg.unseen(homewards);
   }
-  homewards = leg.unseen(homewards);
   for (int k = 0; k < leg.chain().count; ++k) {
     const int joint = leg.chain().joint[at(k)];
     const Joint& limits = model_->joints[at(joint)];

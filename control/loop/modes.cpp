@@ -394,7 +394,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     set_point.qd[at(k)] = posture_.qd(k);
     set_point.tau[at(k)] = tau[model_.bus_joints[at(k)]];
   }
-  for (int k = 0; k < n && active_ != nullptr; ++k) set_legs(k, set_point);
+  if (active_ != nullptr) set_legs(set_point);
   const std::int64_t unplanned = measured();
   for (int k = 0; k < n; ++k) {
     const Joint& joint = model_.joints[at(model_.bus_joints[at(k)])];

@@ -142,7 +142,7 @@ class Modes {
     active_ = nullptr;
     after_rest_.reset();
   }
-  void set_legs(int bus_joint, SetPoint& set_point) const noexcept;
+  void set_legs(SetPoint& set_point) const noexcept;
   void request_motion(const ModeRequest& request, const Moment& now) noexcept;
   void end_brace(const Moment& now) noexcept;
   const char* why_no_motion(const Moment& now) noexcept;

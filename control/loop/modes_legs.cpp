@@ -29,14 +29,21 @@ void Modes::add_path(const ArmPathPiece& piece) noexcept {
   arm_.add(piece);
 }
 
-void Modes::set_legs(int k, SetPoint& set_point) const noexcept {
-  const auto i = at(k);
-  const int j = model_.bus_joints[i];
-  if (((legs_ >> k) & 1) == 0) return active_->offset(j, set_point.q[i], set_point.qd[i]);
-  set_point.q[i] = active_->q()[j];
-  set_point.qd[i] = active_->qd()[j];
-  set_point.kp[i] = active_->kp()[j];
-  set_point.kd[i] = active_->kd()[j];
+void Modes::set_legs(SetPoint& set_point) const noexcept {
+  const Behavior& active = *active_;
+  const int n = model_.bus_count();
+  for (int k = 0; k < n; ++k) {
+    const auto i = at(k);
+    const int j = model_.bus_joints[i];
+    if (((legs_ >> k) & 1) == 0) {
+      active.offset(j, set_point.q[i], set_point.qd[i]);
+      continue;
+    }
+    set_point.q[i] = active.q()[j];
+    set_point.qd[i] = active.qd()[j];
+    set_point.kp[i] = active.kp()[j];
+    set_point.kd[i] = active.kd()[j];
+  }
 }
 
 void Modes::move_legs(const Moment& now, double dt) noexcept {

@@ -35,6 +35,8 @@ constexpr double kPitch = 0.7;        // cosine: an axis so nearly to the left p
 // Of the turn of a step: how far the foot on the inside opens, and how far the other one closes.
 constexpr double kOpens = 1.5, kCloses = 0.5;
 
+constexpr double kHalfTurn = 3.14159265358979323846;  // [rad]
+
 // In the pose that robots are said to stand and walk in.
 struct Stance {
   double com_above_hips, width;  // [m]
@@ -116,6 +118,7 @@ bool Gait::reaches(const Foothold& from, int foot, const Foothold& next) const n
 
 // Seen along the line halfway between both headings, each sole is turned by half the angle.
 double Gait::turning_width(double turning) const noexcept {
+  if (turning == 0.0) return width;  // which is no less than min_width
   const auto apart = [&](double turned, double reach) {
     const double half = 0.5 * std::abs(turned);
     return (min_width + 2.0 * reach * std::sin(half)) / std::cos(half);
@@ -199,7 +202,8 @@ Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& ve
   const double side = velocity.y() * out > 0.0 ? 2.0 * velocity.y() * period : 0.0;
   const double half = 0.5 * width;
   Foothold next = from;
-  next.set_yaw(wrap_angle(from.yaw() + turn));
+  const double yaw = from.yaw() + turn;
+  next.set_yaw(std::abs(yaw) <= kHalfTurn ? yaw : wrap_angle(yaw));  // which takes its time
   next.position = from.position + from.turn({velocity.x() * period, out * half + side});
   next.position += next.turn({0.0, out * half});
   return next;
@@ -208,7 +212,7 @@ Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& ve
 Foothold kept_apart(const Gait& gait, const Foothold& from, int foot, Foothold next) noexcept {
   const double out = side_of(1 - foot);  // to the side of the foot that moves
   const double beyond = gait.min_width - gait.inner;
-  const double turned = std::cos(wrap_angle(next.yaw() - from.yaw()));
+  const double turn = next.yaw() - from.yaw(), turned = turn == 0.0 ? 1.0 : std::cos(wrap_angle(turn));
   double missing = 0.0;
   for (const double x : {-gait.heel, gait.toe}) {
     const Eigen::Vector2d moves = next.position + next.turn({x, -out * gait.inner});

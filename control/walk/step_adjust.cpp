@@ -37,6 +37,8 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   for (int k = -kLonger; k <= kShorter; ++k) {
     const double left = std::min(now.left_planned, now.left_now - kApart * k);
     if (k != 0 && left < now.shortest) continue;
+    const double late = left - now.left_planned, haste = kHaste * late * late;
+    if (!(haste < best)) continue;  // whatever place it would reach
     // A foot that is thrown inward cannot be braked before it meets the other one.
     const double moves = std::max(0.0, left - kEarly);
     const double inner = side * at.y() + kRunsOn * std::min(0.0, side * rate.y()) * left - kInward / kRestToRest * moves * moves;
@@ -59,9 +61,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
       place[d] = std::min(std::max(wanted, std::max(reach_low[d], thrown_low[d])), std::min(reach_high[d], thrown_high[d]));
       missed[d] = wanted - place[d];
     }
-    const double late = left - now.left_planned;
-    const double cost =
-        kMissed * missed.squaredNorm() + (place - regular).squaredNorm() + kHaste * late * late;
+    const double cost = kMissed * missed.squaredNorm() + (place - regular).squaredNorm() + haste;
     if (cost < best) {
       best = cost;
       best_place = place;

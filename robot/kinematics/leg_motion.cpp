@@ -13,11 +13,15 @@ namespace twinbus::inline robot {
 namespace {
 constexpr double kBent = 0.3;  // of every joint where no pose is known: no leg is straight then [rad]
 
-Eigen::Matrix<double, 6, 1> column_of(const Kinematics& k, int joint, const Eigen::Vector3d& point) noexcept {
+// to: six numbers, how a joint moves a point, then how it turns what is there.
+void put_column(const Kinematics& k, int joint, const Eigen::Vector3d& point, double* to) noexcept {
   const Eigen::Vector3d& axis = k.axis_in_world(joint);
-  Eigen::Matrix<double, 6, 1> column;
-  column << axis.cross(point - k.link_in_world(joint + 1).translation()), axis;
-  return column;
+  const double* at = k.link_in_world(joint + 1).matrix().data() + 12;
+  const double x = point.x() - at[0], y = point.y() - at[1], z = point.z() - at[2];
+  to[0] = axis.y() * z - axis.z() * y;
+  to[1] = axis.z() * x - axis.x() * z;
+  to[2] = axis.x() * y - axis.y() * x;
+  for (int i = 0; i < 3; ++i) to[3 + i] = axis[i];
 }
 }  // namespace
 
@@ -35,7 +39,7 @@ int free_axis(const Model& model, int foot) {
   const Sole& sole = model.soles[at(foot)];
   const Eigen::Isometry3d pose = k.link_in_world(sole.link) * sole.frame;
   LegMotion::Matrix6 all = LegMotion::Matrix6::Zero();
-  for (int j = 0; j < chain.count; ++j) all.col(j) = column_of(k, chain.joint[at(j)], pose.translation());
+  for (int j = 0; j < chain.count; ++j) put_column(k, chain.joint[at(j)], pose.translation(), all.col(j).data());
   Eigen::Vector3d gained;
   for (int axis = 0; axis < 3; ++axis) {
     all.col(5).tail<3>() = pose.linear().col(axis);
@@ -53,7 +57,8 @@ LegMotion::LegMotion(const Model& model, int foot) : chain_(leg_chain(model, foo
 }
 
 void LegMotion::update(const Kinematics& kinematics, const Eigen::Isometry3d& sole) noexcept {
-  for (int j = 0; j < chain_.count; ++j) by_joint_.col(j) = column_of(kinematics, chain_.joint[at(j)], sole.translation());
+  const Eigen::Vector3d point = sole.translation();
+  for (int j = 0; j < chain_.count; ++j) put_column(kinematics, chain_.joint[at(j)], point, by_joint_.col(j).data());
   if (free_ >= 0) {
     free_in_world_ = sole.linear().col(free_);
     by_joint_.col(5).tail<3>() = free_in_world_;
