@@ -24,6 +24,10 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
+if [ "$check" = no ] && [ -z "${DISPLAY:-}" ]; then
+  echo "twinbus spy: no display; log in on a desktop or with ssh -X, or start it under xvfb-run" >&2
+  exit 1
+fi
 root=$(cd "$(dirname "$0")/.." && pwd)
 types=${TWINBUS_BUILD:-$root/build/release}/share/types.jar
 missing=
@@ -44,10 +48,6 @@ if [ ! -f "$types" ]; then
 fi
 [ -z "$missing" ] && [ -f "$types" ] || exit 1
 [ "$check" = no ] || { echo "lcm-spy can run: $lcm $chart $types"; exit 0; }
-if [ -z "${DISPLAY:-}" ]; then
-  echo "twinbus spy: no display; log in on a desktop or with ssh -X, or start it under xvfb-run" >&2
-  exit 1
-fi
 export LCM_DEFAULT_URL="${LCM_DEFAULT_URL:-udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304}"
 build=${TWINBUS_BUILD:-$root/build/release}
 keep=$build/share

@@ -142,7 +142,12 @@ const SeenSource* wait_for_active(BusLink& bus, double seconds) {
 
 const SeenSource& active_source(BusLink& bus) {
   const SeenSource* active = wait_for_active(bus, 1.0);
-  if (active == nullptr) throw std::runtime_error("no source is active on " + bus.url() + "; start one with ./twinbus up");
+  if (active == nullptr) {
+    std::string parked;
+    for (const SeenSource* source : bus.seen().sources(monotonic_ns())) parked += (parked.empty() ? "" : ", ") + std::string(source_name(source->status.source));
+    throw std::runtime_error("no source is active on " + bus.url() +
+                             (parked.empty() ? "; start one with ./twinbus up" : "; parked: " + parked + "; ./twinbus switch NAME makes one active"));
+  }
   return *active;
 }
 

@@ -432,6 +432,7 @@ bool Up::judge_and_report(bool whole, double wall_s) {
   const std::string hash = request_.lockstep ? hash_.text() : "";
   if (!asked_to_judge() && whole) {
     redraw_.leave();
+    for (const std::string& failure : verdict.failures) say("went wrong: " + failure);
   } else {
     redraw_.clear();
     for (const std::string& line : verdict_lines(verdict, request_)) say(line);

@@ -286,11 +286,18 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         shutil.copy(shutil.which("sleep"), self.root / "build/release/bin/twinbus")
         executable(self.bin / "nsenter", "#!/bin/sh\necho nsenter \"$@\"\n")
         with subprocess.Popen([self.root / "build/release/bin/twinbus", "60"]) as stack:
-            (mine / f"twinbus-network-{os.getuid()}").write_text(str(stack.pid))
+            # An earlier command, which made the network, has ended.
+            ended = subprocess.Popen(["true"])
+            ended.wait()
+            (mine / f"twinbus-network-{os.getuid()}").write_text(f"{ended.pid}\n{stack.pid}")
             time.sleep(0.2)
             done = self.run_script("--own-network", "--", "mine", "--fast", XDG_RUNTIME_DIR=str(mine))
+            self.assertRegex(done.stdout, rf"^nsenter --target {stack.pid} .*--net mine --fast\n$", done.stderr)
+            done = self.run_script("--own-network", "status", XDG_RUNTIME_DIR=str(mine))
             stack.terminate()
-        self.assertRegex(done.stdout, rf"^nsenter --target {stack.pid} .*--net mine --fast\n$", done.stderr)
+        self.assertRegex(done.stdout, rf"^nsenter --target {stack.pid} .*/twinbus status\n$", done.stderr)
+        numbers = (mine / f"twinbus-network-{os.getuid()}").read_text().split()
+        self.assertEqual((numbers[0], len(numbers)), (str(stack.pid), 2), "the command is one of them, who has ended is not")
         self.assertEqual(self.said(), "")
 
     def test_words_that_are_no_command_build_nothing(self):

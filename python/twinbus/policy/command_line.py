@@ -179,7 +179,8 @@ def check_it(words: argparse.Namespace) -> int:
         about, sentence, _ = cases[number]
         print(f'FAULT {about}: it walks {sentence} ({trial.in_words(results[number])})')
     if not good:
-        print(f'FAULT trial: it falls, and none of {len(cases)} single changes lets it walk')
+        fell = any(outcome.fell for outcome in outcomes)
+        print(f'FAULT trial: it {"falls" if fell else "stands and does not walk as asked"}, and none of {len(cases)} single changes lets it walk')
     return 1
 
 
