@@ -2,34 +2,40 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace twinbus::inline common {
 
 namespace fs = std::filesystem;
 
 void write_file(const std::string& file, const std::string& text) {
+  errno = 0;
   std::ofstream stream(file, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) throw std::runtime_error("cannot write " + file);
+  if (stream) return;
+  const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  throw std::runtime_error("cannot write " + file + why);
 }
 
 void write_whole(const std::string& file, const std::string& text) {
   const std::string made = file + ".new" + std::to_string(getpid());  // two that write at once do not mix
-  std::error_code error;
+  std::error_code error, ignored;
+  std::string why;
   try {
     write_file(made, text);
     fs::rename(made, file, error);
-  } catch (const std::runtime_error&) {
-    error = std::make_error_code(std::errc::io_error);
+    if (!error) return;
+    why = "cannot write " + file + ": " + error.message();
+  } catch (const std::runtime_error& failure) {
+    why = failure.what();
   }
-  if (!error) return;
-  std::error_code ignored;
   fs::remove(made, ignored);
-  throw std::runtime_error("cannot write " + file);
+  throw std::runtime_error(why);
 }
 
 void write_new(const std::string& file, const std::string& text) {

@@ -61,6 +61,7 @@ std::string said_by_controller(BusLink& bus) {
 
 std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
   const SeenSource* active = bus.seen().active(monotonic_ns());
+  if (bus.seen().figures().fell) return "the robot has fallen: ./twinbus sim reset puts it on its feet";
   if (active != nullptr && active->status.stop_kind != StopKind::kNone) {
     return std::string("the robot is stopped (") + label(active->status.stop_kind) +
            "): ./twinbus clear ends that";

@@ -4,6 +4,8 @@
 
 #include "common/process/process.h"
 #include "common/text/formatted.h"
+#include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/status.h"
 
 namespace twinbus::inline launcher {
 
@@ -11,9 +13,20 @@ namespace {
 
 constexpr double kTellOfWaiting = 1.5;                  // [s]
 constexpr double kPatience = 10.0, kUserPatience = 60.0;  // [s]
+constexpr double kDevicePatience = 3.0;                  // a bridge tries again [s]
 constexpr double kClearWithin = 2.0, kAskAgain = 0.15;  // [s]
 
 double seconds_since(std::int64_t begin_ns) { return 1e-9 * static_cast<double>(monotonic_ns() - begin_ns); }
+
+// A source whose device fails publishes no STATE to answer.
+std::string device_fault(BusLink& bus) {
+  for (const SeenSource* source : bus.seen().sources(monotonic_ns())) {
+    const SourceStatus& status = source->status;
+    if (status.adaptor_status == 0) continue;
+    return std::string("the device of the ") + source_name(status.source) + " fails: " + to_text(static_cast<Status>(status.adaptor_status));
+  }
+  return "";
+}
 
 // Whoever has commanded nothing yet was stopped for that.
 bool clear_early_stop(BusLink& bus) {
@@ -52,6 +65,7 @@ void wait_for_command(BusLink& bus, Supervisor& supervisor, const FirstCommand& 
     }
     supervisor.watch(monotonic_ns());
     if (supervisor.broken()) throw std::runtime_error("a required process ended before the robot was running");
+    if (const std::string fault = device_fault(bus); seconds_since(begin) > kDevicePatience && !fault.empty()) throw std::runtime_error(fault);
     if (seconds_since(begin) <= patience) continue;
     throw std::runtime_error(own ? formatted("no COMMAND within %.0f s: nobody answers STATE; start your controller before this stack or within that "
                                              "time (doc/controllers.md), or take a stack with ours (without --stack client)", patience)

@@ -263,6 +263,10 @@ std::string robot_folder(const std::string& name_or_folder) {
   if (plain_name && fs::is_directory(robots / name_or_folder, error))
     return (robots / name_or_folder).string();
   if (fs::is_directory(name_or_folder, error)) return name_or_folder;
+  const std::string kind = fs::path(name_or_folder).extension().string();
+  if (kind == ".urdf" || kind == ".xml" || kind == ".mjcf")
+    throw std::runtime_error(name_or_folder + (fs::exists(name_or_folder, error) ? ": a file, and a robot is a folder: ./twinbus check FILE --propose FOLDER makes one"
+                                                                                : ": no such file"));
   std::vector<std::string> known;
   for (const auto& entry : fs::directory_iterator(robots, error)) {
     if (entry.is_directory(error)) known.push_back(entry.path().filename().string());
