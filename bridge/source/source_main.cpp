@@ -326,7 +326,8 @@ class Shell {
     Event event;
     if (std::array<char, 200> cause; source_.take_fall(cause)) tell(2, cause.data());
     while (next_sentence(told_, status, event) || device_.next(static_cast<Status>(status.adaptor_status), now, event) ||
-           cuts_.next(source_.first_cut(), source_.first_catch_up(), model_, event) || refusals_.next(source_.refused(), model_, now, event))
+           cuts_.next(source_.first_cut(), source_.first_catch_up(), model_, event) ||
+           refusals_.next(source_.refused(), model_, now, event))
       send_event(event);
     if (changed || now - status_ns_ >= kStatusEvery_ns) {
       told_term_ = status.term;

@@ -379,8 +379,8 @@ Loads a robot (a name in config/robots, a folder, a URDF file, or an .xml of MuJ
 Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a URDF without
 robot.yaml, and for a MuJoCo model (MJCF), also proposes one, with a gait found by walking in the simulator.  The robot, or what \
 is proposed, stands for two seconds in the simulator.
-Exit status 1 if it is refused, with one line naming file and remedy, does not stand though it has the legs, or is an arm that does not hold \
-its posture on a fixed base.
+Exit status 1 if it is refused, with one line naming file and remedy, does not stand though it has the legs, or is an arm that \
+does not hold its posture.
   --json  everything as one JSON object
   --pairs  instead: which pairs of links can touch, with proof, and which of those that the SRDF leaves out do
   --cells  instead: finds what links with few joints between them can touch with, and keeps it in the user's cache (seconds; \

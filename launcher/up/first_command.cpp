@@ -23,7 +23,8 @@ std::string device_fault(BusLink& bus) {
   for (const SeenSource* source : bus.seen().sources(monotonic_ns())) {
     const SourceStatus& status = source->status;
     if (status.adaptor_status == 0) continue;
-    return std::string("the device of the ") + source_name(status.source) + " fails: " + to_text(static_cast<Status>(status.adaptor_status));
+    return std::string("the device of the ") + source_name(status.source) +
+           " fails: " + to_text(static_cast<Status>(status.adaptor_status));
   }
   return "";
 }
@@ -35,7 +36,8 @@ bool clear_early_stop(BusLink& bus) {
     bool stopped = false;
     for (const SeenSource* source : bus.seen().sources(monotonic_ns())) {
       const SourceStatus& status = source->status;
-      if (status.stop_kind == StopKind::kNone || status.stop_reason != StopReason::kCommandTimeout || status.commands_accepted > 0) continue;
+      if (status.stop_kind == StopKind::kNone || status.stop_reason != StopReason::kCommandTimeout) continue;
+      if (status.commands_accepted > 0) continue;
       stopped = cleared = true;
       StopRequest request;
       request.kind = StopKind::kNone;
@@ -65,12 +67,13 @@ void wait_for_command(BusLink& bus, Supervisor& supervisor, const FirstCommand& 
     }
     supervisor.watch(monotonic_ns());
     if (supervisor.broken()) throw std::runtime_error("a required process ended before the robot was running");
-    if (const std::string fault = device_fault(bus); seconds_since(begin) > kDevicePatience && !fault.empty()) throw std::runtime_error(fault);
+    const std::string fault = seconds_since(begin) > kDevicePatience ? device_fault(bus) : "";
+    if (!fault.empty()) throw std::runtime_error(fault);
     if (seconds_since(begin) <= patience) continue;
-    throw std::runtime_error(own ? formatted("no COMMAND within %.0f s: nobody answers STATE; start your controller before this stack or within that "
-                                             "time (doc/controllers.md), or take a stack with ours (without --stack client)", patience)
-                                 : formatted("no COMMAND within %.0f s: the controller does not answer STATE (its output: %s)", patience,
-                                             first.log.c_str()));
+    const std::string none = formatted("no COMMAND within %.0f s: ", patience);
+    throw std::runtime_error(own ? none + "nobody answers STATE; start your controller before this stack or within that time "
+                                          "(doc/controllers.md), or take a stack with ours (without --stack client)"
+                                 : none + "the controller does not answer STATE (its output: " + first.log + ")");
   }
   if (own && !quit_requested() && clear_early_stop(bus)) first.say("the stop that waiting for your controller had caused is cleared");
 }

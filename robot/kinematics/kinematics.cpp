@@ -26,7 +26,6 @@ void set_joints(const Model& model, const RobotState& state,
 }
 
 void set_mimics(const Model& model, Configuration& configuration) noexcept {
-  if (model.bus_joints.size() == model.joints.size()) return;  // none follows another one
   for (int j = 0; j < model.joint_count(); ++j) {
     const Joint& joint = model.joints[at(j)];
     if (joint.mimic < 0) continue;
