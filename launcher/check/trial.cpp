@@ -46,6 +46,20 @@ std::vector<std::string> weak_joints(const Model& model) {
   return weak;
 }
 
+// Joints of arms that nothing moves, though one that points up may stand for a while.
+std::string motorless(const Model& model) {
+  std::string names;
+  int count = 0;
+  for (const Hand* hand : hands_of(model)) {
+    for (const int j : hand->joints) {
+      if (model.joints[at(j)].effort > 0.0) continue;
+      if (count++ == 0) names = "joint " + model.joints[at(j)].name;
+    }
+  }
+  if (count > 1) names += formatted(" and %d others", count - 1);
+  return count == 0 ? "" : names + (count > 1 ? " have" : " has") + " an effort limit of 0: no motor moves an arm so";
+}
+
 }  // namespace
 
 Trial try_to_stand(const Model& model) {
@@ -75,6 +89,10 @@ Trial try_to_stand(const Model& model) {
     trial.simulated_s = model.period() * static_cast<double>(run.ticks());
     const RunVerdict verdict = judge_scene(run, scene.criteria, run.ticks());
     trial.stood = verdict.passed;
+    if (std::string still = motorless(model); trial.arm && !still.empty()) {
+      trial.stood = false;
+      trial.weak.push_back(std::move(still));
+    }
     trial.failures = verdict.failures;
     trial.figures = scene_figures(run, scene.criteria);
     while (!trial.figures.empty() && trial.figures.back() == '\n') trial.figures.pop_back();
