@@ -19,7 +19,8 @@ fake = Process(binary(bin_folder, "fake_robot"))
 fake.wait_for("ready")
 viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open")
 address = re.search(r"http://\S+", viewer.wait_for("ready at ", 10))[0]
-page = Browser(address, (1600, 900) if len(sys.argv) > 2 else (1200, 720))
+size = (1600, 900) if len(sys.argv) > 2 else (1200, 720)
+page = Browser(address, size)
 pictures = sys.argv[2] if len(sys.argv) > 2 else None
 
 
@@ -40,6 +41,32 @@ check(page.wait_for("document.querySelectorAll('.pair').length === 2"), "and the
 page.settle(1.0)
 if len(sys.argv) > 2:
     page.screenshot(sys.argv[2])
+
+# --- the bar at the top may have any height: nothing lies under it, and messages can be read ---
+UNDER = """(() => { const edge = document.querySelector('header').getBoundingClientRect().bottom;
+  return [...document.querySelectorAll('aside h2, #setup, #parts, #past, #eye')].filter((e) => { const r = e.getBoundingClientRect();
+    return r.height > 0 && getComputedStyle(e).visibility !== 'hidden' && r.top < edge; }).map((e) => e.id || e.textContent); })()"""
+LINES = """(e => { const r = e.getBoundingClientRect(); const line = parseFloat(getComputedStyle(e).lineHeight);
+  const seen = document.elementFromPoint(r.x + 20, r.bottom - 4);
+  return seen && e.parentElement.contains(seen) ? Math.min(r.height, innerHeight - r.top) / line : 0; })(document.getElementById('events'))"""
+for width, height in ((1280, 720), (1440, 810)):
+    page.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+    for bar in (0, 60):
+        page.value(f"document.getElementById('health').style.paddingBottom = '{8 + bar}px'")
+        for letter, code in (("", ""), ("q", "KeyQ"), ("s", "KeyS"), ("l", "KeyL")):
+            if letter:
+                page.key(letter, code)
+            page.settle()
+            under, lines = page.value(UNDER), page.value(LINES)
+            check(under == [] and lines >= 3.0, f"at {width}x{height}, the bar {bar} px higher, {letter or 'no'} key: nothing under the bar {under}, {lines:.1f} lines of messages")
+            if letter:
+                page.key(letter, code)
+    page.value("document.getElementById('health').style.paddingBottom = ''")
+    page.settle()
+    check(page.value("(r => r.bottom <= document.getElementById('right').getBoundingClientRect().bottom)(document.querySelector('#processes tr:last-child').getBoundingClientRect())"),
+          f"at {width}x{height}: the last process is seen")
+page.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+page.settle()
 fake.drain()
 page.click("#modes [data-mode=squat]")
 check(fake.wait_for("mode 42 run 1001") is not None, "Squat asks for squat")

@@ -1,6 +1,7 @@
 // Joins link, robot, stage, panels, plots and what the operator can do.
 
 import { ArmPath } from './arm_path.js';
+import { followBars } from './bars.js';
 import { bookmark, fragment, restoreLog, restoreView } from './bookmark.js';
 import { BrowserPad } from './gamepad.js';
 import { Eye } from './eye.js';
@@ -9,6 +10,7 @@ import { HandTarget, handName } from './hand_target.js';
 import { History } from './history.js';
 import { Joystick } from './joystick.js';
 import { Keys } from './keys.js';
+import { Lateness } from './lateness.js';
 import { Limbs } from './limbs.js';
 import { Link } from './link.js';
 import { PairLine } from './pair_line.js';
@@ -48,6 +50,7 @@ const panels = new Panels((request) => link.send(request));
 const history = new History();
 const plots = new Plots($('plot-box'), history, lookBack);
 const recorder = new Recorder($('view'));
+const lateness = new Lateness($('late'));
 const eye = new Eye($('eye'));
 const timeline = new Timeline((request) => link.send(request), {
   jumped: () => {
@@ -391,10 +394,12 @@ function draw() {
   eye.tick(stage, robot.model, [...stage.onTop, armPath.group, limbs.root, pairLine.group]);
   if (figures.drawn === 0) stage.drawFirst(robot.model);
   else stage.draw();
+  lateness.tick();
   ++figures.drawn;
   wholeDrawn = newest !== null && robot.whole;
 }
 beginOnPhone(chips.panels);
+followBars(document.querySelector('header'), document.querySelector('footer'), (top, foot) => stage.keepBetween(top, foot));
 if (restoreView(stage, plots)) chips.plots();
 if (fragment().get('follow') === '0') chips.follow();
 // The first picture is slow to come: it waits for the robot, but not for ever.

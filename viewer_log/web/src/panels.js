@@ -24,6 +24,7 @@ const kWrongToken = typed('The token of this address is wrong or of an earlier r
 const hertz = (value) => (value > 0 ? `${value.toFixed(0)} Hz` : '–');
 const age = (ms) => (ms === null ? 'never' : ms < 1000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
 const kStanding = ['balance', 'walk', 'sway', 'squat']; // modes
+const kLong = 70; // a headline of more letters is written smaller
 const clock = (utime) => new Date(utime / 1000).toTimeString().slice(0, 8);
 
 export class Panels {
@@ -170,6 +171,7 @@ export class Panels {
     if (this.recording) sentence = sentence.replace(/ ?Press (Clear|STOP).*$/, '');
     if ($('health').className !== level) $('health').className = level;
     text('health-text', typed(sentence));
+    $('health-text').classList.toggle('long', sentence.length > kLong);
     document.body.classList.toggle('stopped', stopped);
     document.body.classList.toggle('bad', level === 'bad');
     $('clear').hidden = !stopped || !this.trusted;
