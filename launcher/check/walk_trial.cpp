@@ -168,7 +168,11 @@ class Search {
       margin_ = run.seen().figures().zmp_margin_min;
       const RunVerdict verdict = judge_scene(run, scene.criteria, run.ticks());
       if (verdict.passed && run.ticks() >= ticks) return true;
-      for (const std::string& failure : verdict.failures) failure_ += (failure_.empty() ? "" : ", ") + failure;
+      for (const std::string& failure : verdict.failures) {
+        // Of a run that has ended early, that is the cause, and not what could not be measured any more.
+        if (failure.find("could be measured") == std::string::npos) failure_ += (failure_.empty() ? "" : ", ") + failure;
+      }
+      if (failure_.empty() && !verdict.failures.empty()) failure_ = verdict.failures.front();
       limit_ = limits.text();
     } catch (const std::runtime_error& error) {
       failure_ = error.what();
