@@ -87,6 +87,10 @@ Momentum ArticulatedBody::momentum() const noexcept {
                : baseline::momentum_in(state_, one_.momentum, one_.moment);
 }
 
+BodyEnergy ArticulatedBody::energy(Eigen::Vector3d* world, Eigen::Vector3d* own) const noexcept {
+  return TWINBUS_SWEEP(energy_in, state_, world, own);
+}
+
 double ArticulatedBody::fastest(double reach) const noexcept {
   const std::vector<double>& rates = wide_ ? four_.rate : one_.rate;
   const auto count = static_cast<Eigen::Index>(rates.size());

@@ -43,6 +43,11 @@ struct Momentum {
   Eigen::Vector3d angular;  // about the com [kg m^2/s]
 };
 
+// Of all links, without rotors [J].
+struct BodyEnergy {
+  double kinetic, potential;
+};
+
 // What acts on one link at several points: forces [N], and forces -weight * acceleration of the
 // point; weight: symmetric 3x3 [kg].  All about O.
 struct PointForces {
@@ -105,6 +110,9 @@ class ArticulatedBody {
 
   // As placed, before anything is folded in.
   Momentum momentum() const noexcept;
+
+  // As placed.  By link, velocities of the centres of mass: in world and, unless null, in the link's own axes [m/s].
+  BodyEnergy energy(Eigen::Vector3d* world, Eigen::Vector3d* own) const noexcept;
 
   // Links of different branches do not feel one another: the base between them is fixed.
   int branch(int link) const noexcept { return branch_[static_cast<std::size_t>(link)]; }

@@ -11,6 +11,31 @@ inline Momentum momentum_in(const BodyState& state, const Six<L>& sum, const Thr
   return {state.origin + com, linear, total(sum.w) - com.cross(linear)};
 }
 
+// Kinetic: half of each link's velocity times its momentum; the velocities of centres of mass by the way, as ArticulatedBody says.
+template <class L>
+inline BodyEnergy energy_in(const BodyLanes<L>& d, const BodyState& state, Eigen::Vector3d* world,
+                            Eigen::Vector3d* own) noexcept {
+  constexpr std::size_t kLanes = sizeof(L) / sizeof(double);
+  const auto spread = [](const Rank& rank, const Three<L>& v, Eigen::Vector3d* to) {
+    double lanes[3 * kLanes];
+    std::memcpy(lanes, &v, sizeof lanes);
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      if (rank.link[k] < 0) continue;
+      double* at = to[rank.link[k]].data();
+      at[0] = lanes[k], at[1] = lanes[kLanes + k], at[2] = lanes[2 * kLanes + k];
+    }
+  };
+  L twice = {};
+  for (std::size_t r = 0; r < d.ranks.size(); ++r) {
+    const LinkLanes<L>& link = d.links[r];
+    twice = twice + dot(link.velocity, momentum_of(link));
+    const Three<L> v = link.velocity.v + cross(link.velocity.w, link.center);
+    spread(d.ranks[r], v, world);
+    if (own != nullptr) spread(d.ranks[r], times_transposed(link.rotation, v), own);
+  }
+  return {0.5 * sum_of_lanes(twice), kGravity * (state.mass * state.origin.z() + sum_of_lanes(d.moment.z))};
+}
+
 // The change is a rigid motion of all links: state.root is free for its inertia until inward().
 template <class L>
 inline void correct(BodyLanes<L>& d, BodyState& state, const Momentum& wanted,

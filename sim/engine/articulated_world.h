@@ -70,6 +70,8 @@ class ArticulatedWorld final : public World {
   Eigen::Isometry3d link_in_world(int link) const noexcept override;
   Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
   Eigen::Vector3d angular_velocity(int link) const noexcept override;
+  // Of all links at once: body_.energy().
+  BodyEnergy energy(Eigen::Vector3d* world, Eigen::Vector3d* own) const noexcept { return body_.energy(world, own); }
   double mass() const noexcept override { return body_.mass(); }
   Eigen::Vector3d com() const noexcept override;
   Eigen::Vector3d com_velocity() const noexcept override;

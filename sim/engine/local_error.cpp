@@ -59,15 +59,26 @@ bool LocalError::add(const std::vector<Eigen::Vector3d>& world, const std::vecto
   if (!(scale_ > 0.0)) return false;
   if (driven_) most_of_links_ = most_of_others_ = 0.0;
   const bool by_vectors = driven_ && order_ == 1;  // needs only what the last speed was, in world
-  for (std::size_t i = 0; i < world_.size(); ++i) {
+  std::size_t i = 0;
+  if (by_vectors) {  // of links it is asked in every step of every driven world
+    double most = 0.0;
+    for (; i < own_.size(); ++i) {
+      off_[i] += scale_ * (world[i] - world_[i][0]);
+      world_[i][0] = world[i];
+      const double square = off_[i].squaredNorm();
+      if (!(square <= most)) most = square;
+    }
+    most_of_links_ = std::sqrt(most);
+  }
+  for (; i < world_.size(); ++i) {
     const bool link = i < own_.size();
     Eigen::Vector3d faster = world[i] - world_[i][0];
     double changed = by_vectors ? 0.0 : change(world_[i], world[i]);
     keep(world[i], world_[i]);
-    if (link && !by_vectors) {
+    if (link) {
       changed = std::min(changed, change(own_[i], own[i]));
       keep(own[i], own_[i]);
-    } else if (!link && (faster + fall_ * Eigen::Vector3d::UnitZ()).norm() < kRounding) {
+    } else if ((faster + fall_ * Eigen::Vector3d::UnitZ()).norm() < kRounding) {
       faster.setZero();
       changed = 0.0;
     }

@@ -10,6 +10,7 @@
 
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "sim/engine/articulated_world.h"
 #include "sim/engine/energy_balance.h"
 #include "test/obstacles.h"
 #include "test_models.h"
@@ -66,6 +67,58 @@ TEST_P(StepTrustTest, OfABallThatBouncesOffNothingIsSaid) {
   }
   EXPECT_LT(world->loose(0).velocity.x(), 0.0);
   EXPECT_EQ(doubted, 0);
+}
+
+// What the engine says of all links at once is what each of them says.
+void expect_links_agree(const Model& model, double mass_scale, const ArticulatedWorld& world) {
+  std::vector<Eigen::Vector3d> in_world(model.links.size()), own(model.links.size());
+  const BodyEnergy energy = world.energy(in_world.data(), own.data());
+  double kinetic = 0.0, potential = 0.0;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const Link& link = model.links[at];
+    const Eigen::Isometry3d pose = world.link_in_world(i);
+    const Eigen::Vector3d com = pose * link.com, velocity = world.point_velocity(i, com);
+    const Eigen::Vector3d spin = pose.linear().transpose() * world.angular_velocity(i);
+    EXPECT_LT((in_world[at] - velocity).norm(), 1e-12) << i;
+    EXPECT_LT((own[at] - pose.linear().transpose() * velocity).norm(), 1e-12) << i;
+    kinetic += 0.5 * mass_scale * (link.mass * velocity.squaredNorm() + spin.dot(link.inertia * spin));
+    potential += mass_scale * link.mass * kGravity * com.z();
+  }
+  EXPECT_GT(kinetic, 1.0);
+  EXPECT_NEAR(energy.kinetic, kinetic, 1e-11 * kinetic);
+  EXPECT_NEAR(energy.potential, potential, 1e-11 * std::abs(potential));
+}
+
+TEST(StepTrust, TheMotionsOfAllLinksAtOnceAreThoseOfEach) {
+  for (const bool floating : {true, false}) {
+    for (const int branches : {1, 4}) {  // links one after another, and in lanes beside one another
+      Model model = test::chain(12, floating);
+      for (int i = 1; i <= 12; ++i) {
+        const int parent = branches == 1 ? i - 1 : std::max(0, i - branches);
+        model.links[static_cast<std::size_t>(i)].parent = model.joints[static_cast<std::size_t>(i - 1)].parent = parent;
+      }
+      model.joints[5].kind = JointKind::kPrismatic;
+      WorldConfig config;
+      config.fixed_base = !floating;
+      config.mass_scale = 1.3;
+      config.step = 1e-3;
+      ArticulatedWorld world(model, config);
+      Configuration start(model);
+      start.base.translation() = Eigen::Vector3d(3.0, -2.0, 50.0);
+      start.base.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, -1.0).normalized()).toRotationMatrix();
+      start.base_velocity = {0.4, -1.0, 0.3};
+      start.base_angular_velocity = {0.5, 1.0, -2.0};
+      for (int j = 0; j < start.q.size(); ++j) {
+        start.q[j] = 0.3 * std::sin(2.0 * j);
+        start.qd[j] = 3.0 * std::sin(1.7 * j + 0.3);
+      }
+      ASSERT_EQ(world.set(start), Status::kOk);
+      expect_links_agree(model, config.mass_scale, world);
+      for (int i = 0; i < 3; ++i) ASSERT_EQ(world.step(), Status::kOk);
+      expect_links_agree(model, config.mass_scale, world);
+    }
+  }
 }
 
 TEST(StepTrust, AServoThatLiftsIsNoGainAndAThrowInMidAirIs) {
