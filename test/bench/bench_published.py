@@ -6,7 +6,7 @@ Tests: stand, drop, momentum (ANYmal), atlas, balls, rolling, bouncing (default:
 Atlas, and the comparison, are left out.  MuJoCo: of the running Python (pip install mujoco), with the same bodies as `export` writes them.
 For every engine the whole front of error against cost is printed, and at each error that RaiSim reached what our cost is to MuJoCo's in
 this run, beside what RaiSim's was to its MuJoCo's.  Cost: CPU time of one thread, scaled to the length of the published run.
-Exit status 1 if a comparison falls short.
+Exit status 1 if a comparison falls short; below it stands what one step of MuJoCo cost then and costs now.
 """
 
 import argparse
@@ -34,6 +34,7 @@ SECONDS = {"stand": 250.0, "drop": 3.0, "momentum": 10.0, "atlas": 25.0, "balls"
 STEPS = {"stand": (2e-2, 1e-2, 5e-3, 2e-3, 1e-3), "drop": (1e-1, 4e-2, 1e-2, 4e-3, 1e-3), "momentum": (2e-2, 1e-2, 4e-3, 1e-3, 4e-4),
          "atlas": (2e-3, 1e-3, 5e-4, 2e-4), "balls": (1e-2, 4e-3, 1e-3, 4e-4), "rolling": (1e-2, 4e-3, 1e-3), "bouncing": (1e-2, 4e-3, 1e-3, 4e-4, 1e-4)}
 FINEST = {"stand": 2e-4, "atlas": 5e-5}  # what errors are measured against, of each engine itself [s]
+COLUMNS = {"drop": (4, 5, 6), "momentum": (4, 5, 6), "balls": (6, 7, 8), "rolling": (8, 9, 10), "bouncing": (6, 7, 8)}  # step, error, time of sample.csv
 PUBLISHED_STEP = {"stand": 5e-3, "atlas": 5e-4}  # of which only the time was published
 METHODS = ("articulated", "articulated2", "articulated3", "ode")
 CHEAP = ("articulated", "ode")  # of the heap, where higher orders take minutes
@@ -221,8 +222,9 @@ def exported(program, robot, test, work):
 
 
 def published(data, test):
-    """{engine: [(error, seconds)]} of RaiSim and the best of MuJoCo's; times alone (error None) where no error was published."""
-    found = {"RAI": [], "MUJOCO": []}
+    """{engine: [(error, seconds)]} of RaiSim and the best of MuJoCo's; times alone (error None) where no error was published.
+    And, where it was, {step: {engine: [(seconds, error)]}}."""
+    found, of_step = {"RAI": [], "MUJOCO": []}, {}
     for row in csv.reader(open(data / "data" / TABLE[test] / "sample.csv", newline="")):
         if row[0] not in found:
             continue
@@ -232,15 +234,11 @@ def published(data, test):
         elif test == "atlas":
             if row[4] == "1":
                 found[row[0]].append((None, float(row[6])))
-        elif test in ("drop", "momentum"):
-            found[row[0]].append((float(row[5]), float(row[6])))
-        elif test == "balls" and row[4] == "0":
-            found[row[0]].append((float(row[7]), float(row[8])))
-        elif test == "rolling" and row[4] == "0" and row[5] == "1":
-            found[row[0]].append((float(row[9]), float(row[10])))
-        elif test == "bouncing" and row[4:6] == ["0", "1"]:
-            found[row[0]].append((float(row[7]), float(row[8])))
-    return found
+        elif test in ("drop", "momentum") or row[4] == "0" and (test != "rolling" or row[5] == "1") and (test != "bouncing" or row[5] == "1"):
+            step, error, seconds = (float(row[column]) for column in COLUMNS[test])
+            found[row[0]].append((error, seconds))
+            of_step.setdefault(step, {}).setdefault(row[0], []).append((seconds, error))
+    return found, of_step
 
 
 def front(engine, test, rows):
@@ -260,7 +258,22 @@ def front(engine, test, rows):
     return points
 
 
-def compare(test, fronts, them):
+def say_cause(test, error, fronts, of_step):
+    """Beside a comparison that falls short, step by step: a ratio of costs moves when MuJoCo does, whoever is over it."""
+    step = next(step for step, runs in of_step.items() if any(e == error for _, e in runs.get("RAI", [])))
+    per_step = 1e6 * step / SECONDS[test]
+    rai, old = (min(of_step[step].get(name, [(math.nan, math.nan)])) for name in ("RAI", "MUJOCO"))
+    new = min(((c, e) for label, points in fronts.items() if label.startswith("MuJoCo") for e, c, h in points if h == step), default=None)
+    mine = min(((c, e, 1e3 * h) for label, points in fronts.items() if not label.startswith("MuJoCo") for e, c, h in points if e <= error), default=None)
+    print(f"{test:9s}   published, steps of {1e3 * step:g} ms: RaiSim {per_step * rai[0]:.3g} us, error {rai[1]:.3g}; MuJoCo {per_step * old[0]:.3g} us, error {old[1]:.3g}")
+    if new:
+        print(f"{test:9s}   of this run, the same steps: MuJoCo {per_step * new[0]:.3g} us, error {new[1]:.3g}; "
+              f"it took then {old[0] / new[0]:.3g} times the time for {old[1] / new[1]:.3g} times the error")
+    if mine:
+        print(f"{test:9s}   whole run of that error: RaiSim {rai[0]:.3g} s then, ours {mine[0]:.3g} s at {mine[2]:g} ms with error {mine[1]:.3g}")
+
+
+def compare(test, fronts, them, of_step):
     """What our cost is to MuJoCo's where RaiSim's is to its MuJoCo's; True if no comparison falls short."""
     ours = [point for label, points in fronts.items() if not label.startswith("MuJoCo") for point in points]
     theirs = [point for label, points in fronts.items() if label.startswith("MuJoCo") for point in points]
@@ -292,6 +305,8 @@ def compare(test, fronts, them):
         beyond = [name for name, was in (("its", old_beyond), ("MuJoCo's", new_beyond)) if was]
         print(f"{test:9s} at {error:9.3g} {UNIT[test]}: our cost over MuJoCo's {mine / new:.3g}, RaiSim's over its {seconds / old:.3g}"
               f"{' (' + ' and '.join(beyond) + ' front extended)' if beyond else ''}{'' if fine else '   SHORT'}")
+        if not fine:
+            say_cause(test, error, fronts, of_step)
     return good
 
 
@@ -340,7 +355,7 @@ def main(words):
                 engines += [Mujoco(mujoco, numpy, name, models) for name in (("euler", "rk4") if test in ("drop", "momentum", "bouncing") else ("euler", "implicitfast"))]
             fronts = {engine.label: front(engine, test, rows) for engine in engines}
             if there:
-                good = compare(test, fronts, published(asked.data, test)) and good
+                good = compare(test, fronts, *published(asked.data, test)) and good
         os.chdir(here)
     if table and rows:
         with open(table, "w", newline="") as out:
