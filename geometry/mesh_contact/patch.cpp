@@ -56,25 +56,38 @@ PatchFrame::PatchFrame(const Eigen::Vector3d& at, const Eigen::Vector3d& n) noex
   y = n.cross(x);
 }
 
-void PatchSum::add(const PatchPolygon& polygon, const LinearField& lower, const LinearField& depth,
-                   double sign) noexcept {
+PatchMoments moments_of(const PatchPolygon& polygon) noexcept {
   const Eigen::Vector2d& o = polygon.corner[0];
-  double area = 0.0;
-  Eigen::Vector2d first = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+  PatchMoments moments;
   for (int i = 2; i < polygon.count; ++i) {
     const Eigen::Vector2d a = polygon.corner[at(i - 1)] - o, b = polygon.corner[at(i)] - o;
     const double piece = 0.5 * (a.x() * b.y() - a.y() * b.x());
-    area += piece;
-    first += piece / 3.0 * (a + b);
+    moments.area += piece;
+    moments.first += piece / 3.0 * (a + b);
     // Of a triangle with a corner at the origin: area / 12 (a a' + b b' + (a + b)(a + b)').
-    second +=
+    moments.second +=
         piece / 12.0 * (a * a.transpose() + b * b.transpose() + (a + b) * (a + b).transpose());
   }
-  if (!(area > 0.0)) return;
+  if (!(moments.area > 0.0)) return {};
   // About the origin of the frame.
-  second += o * first.transpose() + first * o.transpose() + area * o * o.transpose();
-  first += area * o;
+  moments.second += o * moments.first.transpose() + moments.first * o.transpose() +
+                    moments.area * o * o.transpose();
+  moments.first += moments.area * o;
+  return moments;
+}
+
+PatchMoments mapped(const PatchMoments& moments, const Eigen::Matrix2d& turn) noexcept {
+  const double grown = turn(0, 0) * turn(1, 1) - turn(0, 1) * turn(1, 0);
+  return {grown * moments.area, grown * (turn * moments.first),
+          grown * (turn * moments.second * turn.transpose())};
+}
+
+void PatchSum::add(const PatchMoments& moments, const LinearField& lower, const LinearField& depth,
+                   double sign) noexcept {
+  const double area = moments.area;
+  const Eigen::Vector2d& first = moments.first;
+  const Eigen::Matrix2d& second = moments.second;
+  if (!(area > 0.0)) return;
   area_ += sign * area;
   first_ += sign * first;
   second_ += sign * second;

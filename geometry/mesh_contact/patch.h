@@ -44,6 +44,16 @@ struct PatchPolygon {
   void keep(const LinearField& field) noexcept;
 };
 
+// Of an area, about the origin of its plane.
+struct PatchMoments {
+  double area = 0.0;                                // [m^2]
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();  // integral of x [m^3]
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();  // of x x' [m^4]
+};
+PatchMoments moments_of(const PatchPolygon& polygon) noexcept;
+// Of the same area where x is `turn` times what it was; turn must not mirror it.
+PatchMoments mapped(const PatchMoments& moments, const Eigen::Matrix2d& turn) noexcept;
+
 struct PatchPoint {
   Eigen::Vector3d position;  // half way between the two surfaces [m]
   double depth = 0.0;        // [m]; of a fit, may be a little below zero
@@ -77,8 +87,12 @@ Patch ball_patch(double radius, double other_radius, const Eigen::Vector3d& cent
 class PatchSum {
  public:
   // lower: height of A's surface; depth: how far B's lies above it.  sign -1 takes an area out again.
-  void add(const PatchPolygon& polygon, const LinearField& lower, const LinearField& depth,
+  void add(const PatchMoments& moments, const LinearField& lower, const LinearField& depth,
            double sign = 1.0) noexcept;
+  void add(const PatchPolygon& polygon, const LinearField& lower, const LinearField& depth,
+           double sign = 1.0) noexcept {
+    add(moments_of(polygon), lower, depth, sign);
+  }
   // False: there is no area.
   bool finish(const PatchFrame& frame, Patch& patch) const noexcept;
 

@@ -88,6 +88,7 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
   for (Contact& c : contacts) {
     if (left_out(c)) continue;
     c.v = c.v0;
+    if (c.foreseen) c.v += h * c.gain;
     find_force(c, h, true, 0.0);
     bends_ = bends_ || c.params.ramp >= kEndlessRamp;
   }
@@ -104,6 +105,7 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
       const Eigen::Vector3d column = c.g0 * c.normal;
       c.g0 -= (column - c.normal * c.normal.dot(column)) * c.normal.transpose();
     }
+    if (c.foreseen) c.f0 += c.g0 * (c.v - c.v0);
     if (c.system != system || c.link != link) {
       fold_in();
       system = c.system;

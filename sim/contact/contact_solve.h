@@ -1,7 +1,7 @@
 // Contacts of articulated bodies with the fixed world and with one another, solved at the end of
 // the step.  A robot is such a body, a loose box is one of a single link.
 //
-// Stage 1, fold(): the law's tangent at the present velocity becomes inertia of the touched links,
+// Stage 1, fold(): the law's tangent at the present velocity, or the foreseen one, becomes inertia of the touched links,
 // so that one articulated-body pass solves a contact that keeps its mode.  Contacts between two
 // bodies are left to stage 2.  Stage 2, solve(): where the law at the result disagrees, Newton on
 // the wrenches z of the touched links of one island (bodies that touch one another),
@@ -52,6 +52,8 @@ struct Contact {
   Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  // of the bristle, world [m]
   Eigen::Vector3d v0 = Eigen::Vector3d::Zero();       // of A against B at the start [m/s]
   Eigen::Vector3d guess = Eigen::Vector3d::Zero();    // of the force, if B moves [N]
+  bool foreseen = false;  // `gain` is that of the step before: about it a law that bends is taken for a line
+  Eigen::Vector3d gain = Eigen::Vector3d::Zero();     // of v in a second [m/s^2]
   // Of the solve.
   int slot = -1, other_slot = -1, coupling = -1;
   Eigen::Vector3d f0 = Eigen::Vector3d::Zero();  // force and tangent folded in by stage 1

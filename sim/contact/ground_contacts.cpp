@@ -262,7 +262,8 @@ void GroundContacts::find_patches(const ArticulatedBody& body, double h, std::si
                         .params = &params,
                         .r = point.position - body.origin(),
                         .normal = point.normal,
-                        .depth = point.depth};
+                        .depth = point.depth,
+                        .foreseen = true};
       add(body, link.velocity, found, h, cursor, contacts);
     }
   }
@@ -390,6 +391,8 @@ void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, con
     c.stretch = c.material ? Eigen::Vector3d(c.point - memory.bristle) : memory.bristle;
     c.stretch -= c.normal * c.normal.dot(c.stretch);
     c.turned = memory.turned;
+    c.foreseen = found.foreseen;
+    if (c.foreseen) c.gain = memory.gain;
     return;
   }
   c.stretch = planted(c, h);
@@ -404,7 +407,8 @@ void GroundContacts::remember(const std::vector<Contact>& contacts, int system, 
     }
     const Bristle bristle = bristle_after(c, h);
     memory_.push_back({c.key, c.material ? bristle.anchor : bristle.stretch,
-                       turns(c) ? turned_after(c.params, c.turned, c.moment, h) : Eigen::Vector3d(Eigen::Vector3d::Zero())});
+                       turns(c) ? turned_after(c.params, c.turned, c.moment, h) : Eigen::Vector3d(Eigen::Vector3d::Zero()),
+                       (c.v - c.v0) / h});
   }
 }
 

@@ -106,11 +106,13 @@ class GroundContacts {
     Eigen::Vector3d r = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
     double depth = 0.0;
     double stored = 0.0;  // energy that its spring does not show [J]
+    bool foreseen = false;  // its law is taken about the speed that the last step foretells
   };
   struct Memory {
     int key;
     Eigen::Vector3d bristle;  // anchor, or stretch of a point that rolls
     Eigen::Vector3d turned;   // as Contact::turned
+    Eigen::Vector3d gain;     // as Contact::gain
   };
 
   void add_probes(int link, int number, const Shape& shape, const Model& model);

@@ -88,7 +88,7 @@ void add_points(const Shape& shape, std::vector<Eigen::Vector3d>& points) {
 }  // namespace
 
 SolePatches::SolePatches(const Model& model, const WorldConfig& config) {
-  normals_.push_back(Eigen::Vector3d::UnitZ());
+  (void)direction_of(Eigen::Vector3d::UnitZ());
   for (std::size_t side = 0; side < 2; ++side) {
     if (model.soles[side].link >= 0) soles_[side] = outline_of(model, model.soles[side]);
   }
@@ -129,11 +129,11 @@ SolePatches::Outline SolePatches::outline_of(const Model& model, const Sole& sol
   std::vector<Eigen::Vector2d> hull = near.size() < 3 ? rectangle : hull_of(near);
   if (hull.size() < 3 || !(area_of(hull) > kLikeIt * area_of(rectangle))) hull = rectangle;
   thin_out(hull);
-  made.area = area_of(hull);
   for (const Eigen::Vector2d& corner : hull) {
     made.outline.add(corner);
     made.radius = std::max(made.radius, corner.norm());
   }
+  made.moments = moments_of(made.outline);
   return made;
 }
 
@@ -142,6 +142,7 @@ int SolePatches::direction_of(const Eigen::Vector3d& normal) {
     if (normals_[i].dot(normal) > kOneDirection) return static_cast<int>(i);
   }
   normals_.push_back(normal);
+  frames_.emplace_back(Eigen::Vector3d::Zero(), normal);
   return static_cast<int>(normals_.size()) - 1;
 }
 
@@ -171,7 +172,8 @@ bool SolePatches::stands_on(std::size_t obstacle, const Eigen::Vector3d& point) 
 
 // A sole over the plane of one direction: where its points lie there, as fields over x and y.
 struct SolePatches::Placed {
-  PatchFrame frame;
+  PatchFrame frame;     // its origin is the sole frame's
+  Eigen::Matrix2d turn;  // from the sole's x and y to those of the frame
   LinearField height;   // of the sole along the normal
   LinearField offset;   // what the ground is lowered
   LinearField closing;  // so much nearer at the end of the step
@@ -183,6 +185,11 @@ struct SolePatches::Placed {
     LinearField field{direction.dot(frame.origin - from), Eigen::Vector2d::Zero()};
     for (int axis = 0; axis < 3; ++axis) field.slope += direction[axis] * world[at(axis)].slope;
     return field;
+  }
+  // Whether no point of the sole is where that is below zero.
+  bool lies_in(const LinearField& field) const noexcept {
+    return std::all_of(outline.corner.begin(), outline.corner.begin() + outline.count,
+                       [&field](const Eigen::Vector2d& x) { return field.at(x) >= 0.0; });
   }
   void clip_to(const Surface& top, PatchPolygon& polygon) const noexcept {
     const auto within = [&](const Eigen::Vector3d& axis, double half) {
@@ -212,6 +219,7 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
   const double mean = 0.25 * (offset[0] + offset[1] + offset[2] + offset[3]);
   const double at_frame =
       mean - by_x * 0.5 * (own.front - own.back) - by_y * 0.5 * (own.left - own.right);
+  const bool alone = std::none_of(tops_.begin(), tops_.end(), near);
   const Eigen::Vector3d lowered = by_x * sole.linear().col(0) + by_y * sole.linear().col(1);
 
   int count = 0;
@@ -225,8 +233,11 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
         })) {
       continue;
     }
-    Placed placed{PatchFrame(origin, n), {}, {}, {}, {}, {}};
-    const PatchFrame& frame = placed.frame;
+    Placed placed{frames_[direction], {}, {}, {}, {}, {}, {}};
+    PatchFrame& frame = placed.frame;
+    frame.origin = origin;
+    placed.turn << frame.x.dot(sole.linear().col(0)), frame.x.dot(sole.linear().col(1)),
+        frame.y.dot(sole.linear().col(0)), frame.y.dot(sole.linear().col(1));
     placed.height.slope = -Eigen::Vector2d(up.dot(frame.x), up.dot(frame.y)) / up.dot(n);
     for (int axis = 0; axis < 3; ++axis) {
       placed.world[at(axis)].slope =
@@ -237,10 +248,8 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
     placed.closing = placed.along(n.cross(spin), origin);
     placed.closing.offset += n.dot(velocity);
     placed.closing = {-h * placed.closing.offset, -h * placed.closing.slope};
-    for (int i = 0; i < own.outline.count; ++i) {
-      const Eigen::Vector2d& o = own.outline.corner[at(i)];
-      placed.outline.add(frame.across(sole * Eigen::Vector3d(o.x(), o.y(), 0.0)));
-    }
+    for (int i = 0; i < own.outline.count; ++i)
+      placed.outline.add(placed.turn * own.outline.corner[at(i)]);
     const auto now = [&](const Eigen::Vector3d& normal,
                          const Eigen::Vector3d& on) {  // depth at the start
       const LinearField above = placed.along(normal, on);
@@ -253,8 +262,10 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
         return LinearField{depth.offset + closing.offset, depth.slope + closing.slope};
       };
       PatchSum sum;
-      PatchPolygon whole = copy_of(placed.outline);
-      if (of_ground) {
+      if (of_ground && alone && placed.lies_in(then(ground_now))) {  // mostly: nothing to cut
+        sum.add(mapped(own.moments, placed.turn), placed.height, then(ground_now));
+      } else if (of_ground) {
+        PatchPolygon whole = copy_of(placed.outline);
         const LinearField depth = then(ground_now);
         whole.keep(depth);
         if (whole.count > 2) sum.add(whole, placed.height, depth);
@@ -292,7 +303,7 @@ int SolePatches::find(std::size_t side, const Eigen::Isometry3d& sole,
       point.position = from.position - 0.5 * from.depth * n;  // of the sole's own surface
       point.normal = n;
       point.depth = from.depth - placed.closing.at(frame.across(from.position));
-      point.weight = patch.area / own.area;
+      point.weight = patch.area / own.moments.area;
     }
   }
   return count;

@@ -16,11 +16,12 @@
 namespace twinbus::inline sim {
 
 struct SolePoint {
-  int key = 0;               // of its direction and corner, from 0 to keys()
+  SolePoint() noexcept {}    // of many few are found: filling all would take as long as finding these
+  int key;                   // of its direction and corner, from 0 to keys()
   Eigen::Vector3d position;  // on the sole, world [m]
   Eigen::Vector3d normal;    // world
-  double depth = 0.0;        // at the start of the step [m]
-  double weight = 0.0;  // of it the springs of a corner of the sole; 1: all of the sole presses
+  double depth;              // at the start of the step [m]
+  double weight;  // of it the springs of a corner of the sole; 1: all of the sole presses
 };
 
 class SolePatches {
@@ -52,7 +53,7 @@ class SolePatches {
   };
   struct Outline {
     PatchPolygon outline;  // in the sole frame
-    double area = 0.0;     // [m^2]
+    PatchMoments moments;  // of it
     double radius = 0.0;   // about the frame's origin
     double front = 0.0, back = 0.0, left = 0.0, right = 0.0;
   };
@@ -64,6 +65,7 @@ class SolePatches {
 
   std::array<Outline, 2> soles_;
   std::vector<Eigen::Vector3d> normals_;  // the first is up
+  std::vector<PatchFrame> frames_;        // across each of them
   std::vector<Surface> tops_;
 };
 

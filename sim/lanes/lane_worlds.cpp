@@ -300,8 +300,10 @@ void LaneWorlds::leave(const Lane& lane) noexcept {
   world.ground_.memory_.clear();
   std::erase_if(world.deep_, [](const auto& pair) { return pair.who[0] == 0; });
   for (const CornerLanes& corner : block_.corners) {
-    if (corner.known[k] > 0.0)
-      world.ground_.memory_.push_back({key_of(corner), {corner.anchor_x[k], corner.anchor_y[k], 0.0}, Eigen::Vector3d::Zero()});
+    if (corner.known[k] > 0.0) {
+      const Eigen::Vector3d anchor(corner.anchor_x[k], corner.anchor_y[k], 0.0), none = Eigen::Vector3d::Zero();
+      world.ground_.memory_.push_back({key_of(corner), anchor, none, none});
+    }
     const double deep = block_.deep[at(corner.sole)][k];
     if (corner.corner == 0 && deep > 0.0) world.deep_.push_back({{0, corner.link, -1, -1}, deep});
   }

@@ -13,7 +13,10 @@
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "sim/contact/contact_solve.h"
+#include "sim/contact/ground_contacts.h"
 #include "sim/contact/sole_patches.h"
+#include "sim/engine/articulated_world.h"
 #include "sim/engine/make_world.h"
 #include "test/contact_shapes.h"
 #include "common/allocation/no_alloc.h"
@@ -161,6 +164,21 @@ TEST(Patch, CrossingEdgesShareAPyramid) {
   EXPECT_LT((wrench_of(turned).moment + wrench_of(patch).moment).norm(), 1e-15);
 }
 
+TEST(Patch, MomentsMoveWithTheirArea) {
+  PatchPolygon here, there;
+  Eigen::Matrix2d turn;
+  turn << 0.9, -0.3, 0.2, 1.1;
+  constexpr double kCorners[][2] = {{-0.1, -0.05}, {0.15, -0.06}, {0.16, 0.04}, {0.0, 0.07}};
+  for (const auto& [x, y] : kCorners) {
+    here.add({x, y});
+    there.add(turn * Eigen::Vector2d(x, y));
+  }
+  const PatchMoments moved = mapped(moments_of(here), turn), found = moments_of(there);
+  EXPECT_NEAR(moved.area, found.area, 1e-17);
+  EXPECT_LT((moved.first - found.first).norm(), 1e-18);
+  EXPECT_LT((moved.second - found.second).norm(), 1e-19);
+}
+
 // A sole on blocks.
 class SoleRig {
  public:
@@ -169,10 +187,10 @@ class SoleRig {
     soles_.emplace(model_, config_);
   }
   // Sum of weight times depth, and its centre.
-  double press(const Isometry3d& sole, Eigen::Vector2d* centre = nullptr) const {
+  double press(const Isometry3d& sole, Eigen::Vector2d* centre = nullptr, double ground = -1.0) const {
     SolePatches::Points points;
     const int count =
-        soles_->find(0, sole, Vector3d::Zero(), Vector3d::Zero(), 0.0, -1.0, {}, points);
+        soles_->find(0, sole, Vector3d::Zero(), Vector3d::Zero(), 0.0, ground, {}, points);
     double force = 0.0;
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     for (int i = 0; i < count; ++i) {
@@ -212,6 +230,22 @@ TEST(SolePatches, AnEdgeIsCrossedWithoutAJump) {
         EXPECT_LT(most, 0.02) << solid << " " << yaw << " " << depth;
         EXPECT_NEAR(least, 1.0, 1e-9);
       }
+    }
+  }
+}
+
+// Where all of it is in the ground its moments are known; a tile cuts it out of the sole.
+TEST(SolePatches, TheGroundPressesAsATileDoes) {
+  const SoleRig ground({}), tile({block(-1.0, 2.0)});
+  for (const double tilt : {0.0, 1e-3, 5e-3, 2e-2}) {  // the last two leave a part of it above
+    for (const double yaw : {0.0, 0.4, 2.0}) {
+      const Isometry3d turned = placed(0.02, 0.01, -5e-4, yaw, Vector3d::UnitZ());
+      const Isometry3d sole = turned * placed(0, 0, 0, tilt, Vector3d(0.3, 1.0, 0.0));
+      Eigen::Vector2d on_ground = Eigen::Vector2d::Zero(), on_tile = Eigen::Vector2d::Zero();
+      const double force = ground.press(sole, &on_ground, 0.0);
+      EXPECT_GT(force, 0.0);
+      EXPECT_NEAR(force, tile.press(sole, &on_tile), 1e-15);
+      EXPECT_LT((on_ground - on_tile).norm(), 1e-12);
     }
   }
 }
@@ -354,6 +388,68 @@ TEST(PatchContact, ABoxHoldsOnASlopeAndBoxesStandOnOneAnother) {
       EXPECT_LT(world->loose(i + 1).velocity.norm(), 0.03) << i;
     }
   }
+}
+
+// Its law bends with the speed: about that of the start a second pass is needed, about that which the last step foretells none.
+TEST(PatchContact, AForeseenSpeedSavesAPass) {
+  const Model model = test::block();
+  Configuration start(model);
+  start.base_velocity = {0.0, 0.0, -0.05};
+  ArticulatedBody body(model, false, 1.0);
+  ContactSolve solve({&body}, 4);
+  std::vector<Contact> contacts(1);
+  Contact& c = contacts[0];
+  c.link = 0;
+  c.params = hunt_crossley(rubber(1e5, 0.0, 0.8), 1.0);
+  c.normal = Vector3d::UnitZ();
+  c.depth = 1e-3;
+  c.v0 = start.base_velocity;
+  const std::vector<JointRow> free(model.joints.size());
+  constexpr double kStep = 1e-3;
+  const auto passes = [&] {
+    body.place(start);
+    solve.fold(contacts, kStep);
+    int count = 0;
+    do {
+      EXPECT_TRUE(body.inward(free, kStep));
+      body.outward();
+      ++count;
+    } while (solve.refold(contacts, kStep));
+    return count;
+  };
+  EXPECT_EQ(passes(), 2);
+  const Vector3d found = c.v, force = c.now.force;
+  EXPECT_GT((found - c.v0).norm(), 1e-3);
+  c.foreseen = true;
+  c.gain = (found - c.v0) / kStep;
+  EXPECT_EQ(passes(), 1);
+  EXPECT_LT((c.v - found).norm(), 1e-12);
+  EXPECT_LT((c.now.force - force).norm(), 1e-6);
+}
+
+// What the soles press is remembered for the next step; where something else is touched it is not.
+TEST(PatchContact, SolesForesee) {
+  const Model model = test::block();
+  ArticulatedWorld world(model, with_patches());
+  Configuration start(model);
+  start.base_velocity = {0.0, 0.0, -0.01};
+  ASSERT_EQ(world.set(start), Status::kOk);
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  const std::vector<Contact> before = world.solved();
+  ASSERT_EQ(world.step(), Status::kOk);
+  ASSERT_EQ(world.solved().size(), before.size());
+  ASSERT_FALSE(before.empty());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Contact& c = world.solved()[i];
+    ASSERT_TRUE(c.foreseen);
+    EXPECT_LT((c.gain - (before[i].v - before[i].v0) / WorldConfig().step).norm(), 1e-9 * c.gain.norm());
+  }
+  WorldConfig corners;
+  ArticulatedWorld other(model, corners);
+  ASSERT_EQ(other.set(start), Status::kOk);
+  for (int i = 0; i < 4; ++i) ASSERT_EQ(other.step(), Status::kOk);
+  ASSERT_FALSE(other.solved().empty());
+  for (const Contact& c : other.solved()) EXPECT_FALSE(c.foreseen);
 }
 
 class PatchStanding : public test::BothEngines {};
