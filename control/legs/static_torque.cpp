@@ -1,10 +1,18 @@
 #include "control/legs/static_torque.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "common/math/index.h"
 #include "common/math/pose_math.h"
 
 namespace twinbus::inline control {
+
+namespace {
+constexpr int kLeastPoints = 3;     // that carry a robot at rest
+constexpr double kUpright = 0.8;    // of the base; one that lies is carried by its trunk [rad]
+}  // namespace
 
 StaticTorque::StaticTorque(const Model& model)
     : model_(&model),
@@ -13,7 +21,33 @@ StaticTorque::StaticTorque(const Model& model)
       kinematics_(model),
       dynamics_(model),
       no_acceleration_(Eigen::VectorXd::Zero(model.joint_count())),
-      standing_(2) {}
+      standing_(2),
+      on_points_(kMaxFeet) {
+  for (ExternalWrench& foot : on_points_) foot.link = 0;
+}
+
+bool StaticTorque::stands_on_points(const Estimator& estimator) noexcept {
+  const StandingFeet* feet = estimator.feet();
+  if (feet == nullptr || !(estimator.tilt() < kUpright)) return false;
+  std::array<int, kMaxFeet> which{};
+  loads_.count = 0;
+  for (int f = 0; f < std::min(feet->count(), kMaxFeet); ++f) {
+    ExternalWrench& foot = on_points_[at(f)];
+    foot.force.setZero();
+    if (!feet->stands(f)) continue;
+    // Where it presses as measured, in its link; there it presses in the posture that is held.
+    foot.link = feet->link(f);
+    const Eigen::Vector3d pressed = estimator.configuration().base * feet->point(f);
+    foot.point = kinematics_.link_in_world(foot.link) * (estimator.kinematics().link_in_world(foot.link).inverse() * pressed);
+    which[at(loads_.count)] = f;
+    loads_.away[at(loads_.count)] = (foot.point - kinematics_.com()).head<2>();
+    ++loads_.count;
+  }
+  if (loads_.count < kLeastPoints) return false;
+  share_load_on_points(loads_);
+  for (int k = 0; k < loads_.count; ++k) on_points_[at(which[at(k)])].force.z() = loads_.share[at(k)] * mass_ * kGravity;
+  return true;
+}
 
 void StaticTorque::solve(const Estimator& estimator, const Eigen::VectorXd& q,
                          Eigen::VectorXd& tau) noexcept {
@@ -47,7 +81,7 @@ void StaticTorque::solve(const Estimator& estimator, const Eigen::VectorXd& q,
     }
   }
   (void)dynamics_.solve(kinematics_, configuration_, no_acceleration_, Eigen::Vector3d::Zero(),
-                        Eigen::Vector3d::Zero(), stands ? standing_ : hanging_, tau);
+                        Eigen::Vector3d::Zero(), stands ? standing_ : stands_on_points(estimator) ? on_points_ : hanging_, tau);
 }
 
 }  // namespace twinbus::control

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "control/legs/point_load_share.h"
 #include "test/control/hrp1s.h"
+#include "test/rounds.h"
 
 namespace twinbus {
 namespace {
@@ -61,6 +65,71 @@ TEST(StaticTorque, StandingTheLegsCarryTheBodyAndTheArmsOnlyThemselves) {
   for (int j : model.leg_joints) legs = std::max(legs, std::abs(on_ground[j] - in_air[j]));
   EXPECT_GT(legs, 50.0) << "bent knees under 130 kg";
   for (int j : model.hands[0].joints) EXPECT_NEAR(on_ground[j], in_air[j], 1e-6);
+}
+
+PointLoads loads_at(std::initializer_list<Eigen::Vector2d> places) {
+  PointLoads loads;
+  for (const Eigen::Vector2d& place : places) loads.away[static_cast<std::size_t>(loads.count++)] = place;
+  share_load_on_points(loads);
+  return loads;
+}
+
+Eigen::Vector2d moment(const PointLoads& loads) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(loads.count); ++i) sum += loads.share[i] * loads.away[i];
+  return sum;
+}
+
+TEST(PointLoadShare, FourFeetRoundTheCentreOfMassCarryAlike) {
+  const PointLoads loads = loads_at({{0.2, 0.1}, {0.2, -0.1}, {-0.2, 0.1}, {-0.2, -0.1}});
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(loads.share[i], 0.25, 1e-5);
+}
+
+TEST(PointLoadShare, ThreeFeetCarryWhatStaticsSays) {
+  const PointLoads loads = loads_at({{0.3, 0.0}, {-0.1, 0.2}, {-0.1, -0.2}});
+  EXPECT_NEAR(loads.share[0], 0.25, 1e-4);
+  EXPECT_NEAR(loads.share[1], 0.375, 1e-4);
+  EXPECT_NEAR(loads.share[2], 0.375, 1e-4);
+}
+
+// The centre of mass over the triangle of three: the fourth one would have to pull.
+TEST(PointLoadShare, NoFootPulls) {
+  const PointLoads loads = loads_at({{0.02, 0.01}, {0.4, -0.3}, {-0.4, 0.3}, {1.0, 0.9}});
+  EXPECT_EQ(loads.share[3], 0.0);
+  EXPECT_LT(moment(loads).norm(), 1e-2);
+}
+
+TEST(PointLoadShare, OutsideTheFeetTheNearestCarryAllOfIt) {
+  const PointLoads loads = loads_at({{0.1, 0.1}, {0.1, -0.1}, {0.5, 0.1}, {0.5, -0.1}});
+  EXPECT_NEAR(loads.share[0], 0.5, 0.05);
+  EXPECT_NEAR(loads.share[1], 0.5, 0.05);
+  EXPECT_NEAR(loads.share[0] + loads.share[1] + loads.share[2] + loads.share[3], 1.0, 1e-12);
+  EXPECT_NEAR(loads_at({{0.3, 0.2}}).share[0], 1.0, 1e-12);
+  EXPECT_EQ(loads_at({}).share[0], 0.0);
+}
+
+// Among all that balance, no other shares are smaller: they differ by what neither weighs nor turns, and that only adds.
+TEST(PointLoadShare, SixFeetBalanceWithTheLeastForces) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> within(-0.03, 0.03);
+  for (int round = 0; round < test::rounds(200); ++round) {
+    const auto about = [&](double x, double y) { return Eigen::Vector2d(x + within(random), y + within(random)); };
+    const PointLoads loads =
+        loads_at({about(0.3, 0.2), about(0.3, -0.2), about(0.0, 0.25), about(0.0, -0.25), about(-0.3, 0.2), about(-0.3, -0.2)});
+    double sum = 0.0;
+    Eigen::Matrix<double, 3, 6> map;
+    Eigen::Matrix<double, 6, 1> share;
+    for (int i = 0; i < 6; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      sum += loads.share[k];
+      share[i] = loads.share[k];
+      map.col(i) << 1.0, loads.away[k];
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_LT(moment(loads).norm(), 1e-4);
+    const Eigen::Matrix<double, 6, 1> least = map.transpose() * (map * map.transpose()).inverse() * Eigen::Vector3d::UnitX();
+    EXPECT_LT((share - least).norm(), 1e-3);
+  }
 }
 
 }  // namespace
