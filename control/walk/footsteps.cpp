@@ -23,6 +23,8 @@ constexpr double kBetween = 0.035;       // between two soles side by side [m]
 constexpr double kSidewaysEase =
     0.5;  // soles are narrow: a change to the side takes twice the time
 constexpr double kUsualWidth = 0.13;  // of a sole; a narrower one holds less of what steps to the side and turns throw about [m]
+constexpr double kUsualShare = 0.2;   // and of the straight leg
+constexpr double kWiderShare = 0.25;  // of the way that a foot may go aside, at most, that a robot stands wider on rough ground
 constexpr double kMostTurn = 0.65;    // of a step that a command may ask for [rad]
 constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
@@ -158,6 +160,8 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.max_forward = kReachForward * stride;
   g.max_back = kReachBack * stride;
   g.max_width = g.width + kReachSideways * stride;
+  const double usual = std::min(kUsualWidth, kUsualShare * reach.longest);
+  g.rough_wider = std::clamp(usual - inner - outer, 0.0, kWiderShare * (g.max_width - g.width));
   g.standing_width = std::clamp(stance.width, g.min_width, g.max_width);
   g.inner = inner;
   g.max_turn = 2.0 * kTurn * reach.turn;

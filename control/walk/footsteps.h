@@ -44,6 +44,7 @@ struct Gait {
   double hurry = 0.03;          // double support after a step that was moved far [s]
   double width = 0.2;           // between the sole frames [m]
   double standing_width = 0.2;  // in the pose that robots stand in [m]
+  double rough_wider = 0.0;     // so much wider on rough ground: narrow soles hold less there, steps inward hold the rest [m]
   double lift = 0.05;           // of the swing foot [m]
   double com_height = 0.7;      // above the ground [m]
   double zmp_forward = 0.03, zmp_inward = 0.005;  // of the reference ZMP under a sole [m]

@@ -146,7 +146,7 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
   // Feet that stand too near each other come apart before they turn.
   if (steps_ahead == 0 && apart().y() < gait_.min_width) velocity.z() = 0.0;
   // The last two steps share what the stance is narrower or wider.
-  double width = gait_.turning_width(velocity.z() * period_);
+  double width = std::max(gait_.turning_width(velocity.z() * period_), gait_.width + rough_share() * gait_.rough_wider);
   if (tidy_ && velocity.squaredNorm() < 1e-12) {
     const bool second = square_ + steps_ahead >= 1;
     width += (second ? 1.0 : 0.5) * (gait_.standing_width - width);
@@ -273,9 +273,12 @@ bool WalkPattern::try_to_stand(const Eigen::Vector2d& measured_dcm, double omega
   return true;
 }
 
+double WalkPattern::rough_share() const noexcept {
+  return std::clamp((rough_.roughness() / gait_.lift - kSmooth) / (kRough - kSmooth), 0.0, 1.0);
+}
+
 Eigen::Vector3d WalkPattern::dared() const noexcept {
-  const double rough = std::clamp((rough_.roughness() / gait_.lift - kSmooth) / (kRough - kSmooth), 0.0, 1.0);
-  const double most = 1.0 - (1.0 - kDared) * rough;
+  const double most = 1.0 - (1.0 - kDared) * rough_share();
   const double share = Gait::share_of(wanted_, gait_.most_velocity);
   return share > most ? Eigen::Vector3d(wanted_ * (most / share)) : wanted_;
 }

@@ -90,6 +90,7 @@ class WalkPattern {
   // What is wanted, as fast as the ground lets it: where landings find steps or soles stand on edges, at most a share of the
   // fastest walk, which leaves steps that still catch the robot when a sole bears on its rim only.
   Eigen::Vector3d dared() const noexcept;
+  double rough_share() const noexcept;  // 0: smooth ground, 1: rough
   std::size_t plan_pieces(double omega) noexcept;  // how many
   StepAdjusted adjusted_step(const Eigen::Vector2d& measured_dcm, double omega) const noexcept;
   bool try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept;

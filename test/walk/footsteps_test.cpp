@@ -54,6 +54,16 @@ TEST(Footsteps, NarrowSolesAreAskedToStepAsideAndTurnSlower) {
   EXPECT_GT(slow.most_velocity.x(), 0.9 * usual.most_velocity.x());
 }
 
+// What a narrow sole lacks to hold the robot where it bears on its rim, steps hold that have room inwards.
+TEST(Footsteps, NarrowSolesStandWiderOnRoughGround) {
+  Model narrow = test::hrp1s();
+  for (Sole& sole : narrow.soles) sole.left = sole.right = 0.035;
+  const Gait g = gait_of(narrow, narrow.walking, 0.01);
+  EXPECT_GT(g.rough_wider, 0.04);
+  EXPECT_LE(g.width + g.rough_wider, g.max_width);
+  EXPECT_EQ(gait().rough_wider, 0.0);
+}
+
 TEST(Footsteps, SolesNeverComeNearerThanTheyMay) {
   const Gait g = gait();
   for (const double vy : {-0.2, 0.0, 0.2}) {

@@ -64,6 +64,31 @@ TEST(DcmPlan, APieceRunsForwardsAsItWasComputedBackwards) {
   EXPECT_LT((xi - end).norm(), 2e-5);
 }
 
+// Steps of 20 mm up and down, then level ground again.
+TEST(WalkPattern, NarrowSolesWalkWiderWhileTheGroundIsRough) {
+  for (const double wider : {0.0, 0.06}) {
+    Gait gait = pattern_gait();
+    gait.rough_wider = wider;
+    Puppet puppet(gait);
+    puppet.pattern.want({0.2, 0.0, 0.0});
+    const auto walk = [&](double high, double seconds) {
+      double apart = 0.0;
+      int steps = -1;
+      for (int i = 0; i < static_cast<int>(seconds / kPatternDt); ++i) {
+        puppet.tick();
+        if (puppet.pattern.steps() == steps) continue;
+        steps = puppet.pattern.steps();
+        puppet.ground = steps % 2 == 0 ? high : 0.0;
+        apart = (puppet.pattern.foot(0).position - puppet.pattern.foot(1).position).y();
+      }
+      return apart;
+    };
+    EXPECT_NEAR(walk(0.0, 4.0), gait.width, 0.01);
+    EXPECT_NEAR(walk(0.02, 6.0), gait.width + wider, 0.01) << wider;
+    EXPECT_NEAR(walk(0.0, 25.0), gait.width, 0.01) << wider;
+  }
+}
+
 // What nobody could know ahead, the end of walking, moves the reference of the closed form at once.
 TEST(WalkPattern, PreviewControlBendsTheReferenceThatTheClosedFormLetsJump) {
   Gait preview = pattern_gait();
