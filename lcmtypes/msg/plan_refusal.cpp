@@ -15,7 +15,7 @@ std::string plan_refusal(ArmPathStatus status, const std::string& a, const std::
     case ArmPathStatus::kGoalInCollision:
       return "at the goal " + a + " would touch " + b + ": move the goal";
     case ArmPathStatus::kTimeLimit:
-      return "no way found to the goal: try a goal on the near side of the obstacle, or two goals one after the other";
+      return "no way found to the goal, which does not say that there is none: try a goal on the near side of the obstacle, or two goals one after the other";
     case ArmPathStatus::kCancelled:
       return "cancelled";
     case ArmPathStatus::kBadGoal:
