@@ -43,6 +43,7 @@ using namespace twinbus;
 namespace {
 
 constexpr std::int64_t kFramePeriod = 16'666'667;  // 60 Hz [ns]
+constexpr std::int64_t kPrompt = 40'000'000;        // between two looks at the bus; later, the viewer is late itself [ns]
 constexpr int kStatusEvery = 12;                   // frames: 5 Hz
 constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
 constexpr std::size_t kLargestMessage =
@@ -145,11 +146,14 @@ class Viewer {
     Ticker ticker(kFramePeriod);
     for (std::int64_t frame = 0; !quit_requested(); ++frame) {
       ticker.wait();
-      if (bus_.receive(0.0) < 0 && frame % 60 == 0) {
+      const int handled = bus_.receive(0.0);
+      if (handled < 0 && frame % 60 == 0) {
         std::fprintf(stderr, "twinbus_viewer: the bus is gone\n");
       }
       const std::int64_t now = monotonic_ns();
-      collect(now);
+      const bool prompt = handled < Bus::kMostPerCall && now - read_ns_ < kPrompt;
+      read_ns_ = now;
+      collect(now, prompt ? Receiver::kPrompt : Receiver::kLate);
       obey_pages(now);
       publish(frame, now);
       if (frame % kHeartbeatEvery == 0) beat(frame);
@@ -205,7 +209,7 @@ class Viewer {
     if (!arguments_.no_open) open_browser(address);
   }
 
-  void collect(std::int64_t now) {
+  void collect(std::int64_t now, Receiver receiver) {
     RobotState state;
     for (Latest<RobotState>& standby : standby_) {
       if (standby.take(state)) view_.on_standby_state(state, now);
@@ -223,7 +227,7 @@ class Viewer {
     if (guard_.take(guard)) view_.on_guard(guard, now);
     JointCommand command;
     if (command_.take(command)) view_.on_command(command, now);
-    view_.on_totals(state_.received, command_.received, guard_.received, now);
+    view_.on_totals(state_.received, command_.received, guard_.received, now, receiver);
   }
 
   void obey_pages(std::int64_t now) {
@@ -361,7 +365,7 @@ class Viewer {
   std::array<Latest<RobotState>, 3> standby_;
   Latest<JointCommand> command_;
   Slots<SimTruth, 8> truth_;
-  std::int64_t truth_ns_ = 0;
+  std::int64_t truth_ns_ = 0, read_ns_ = 0;
   Latest<GuardReport> guard_;
   Latest<ControllerStatus> controller_;
   Outgoing<StopRequest> stop_;

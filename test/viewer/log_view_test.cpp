@@ -118,7 +118,7 @@ TEST_F(LogViews, AMomentLooksTheSameHoweverItIsReached) {
                           b = jumped.place() * jumped.view().estimator().configuration().base;
   EXPECT_LT((a.translation() - b.translation()).norm(), 1e-6);
   EXPECT_NEAR(b.translation().x(), 3.0, 1e-6) << "where the controller believed to be";
-  EXPECT_NEAR(jumped.view().state_rate(), 500.0, 3.0);
+  EXPECT_NEAR(jumped.view().rates().state(), 500.0, 3.0);
 }
 
 TEST_F(LogViews, APictureIsDrawnWhereTheRobotWas) {

@@ -35,14 +35,6 @@ Event event(std::int64_t sender, std::int32_t sequence, const char* text) {
   return e;
 }
 
-TEST(RateMeter, CountsPerSecond) {
-  RateMeter meter;
-  for (int i = 0; i <= 1200; ++i) meter.update(i, kStackStart + i * 2 * kMs);
-  EXPECT_NEAR(meter.rate(), 500.0, 1.0);
-  meter.update(1200, kStackStart + 6000 * kMs);
-  EXPECT_LT(meter.rate(), 100.0);
-}
-
 TEST(StackView, TheSameEventSaidAgainIsShownOnce) {
   StackView view(model());
   for (int i = 0; i < 3; ++i) view.on_event(event(1, 1, "a"));

@@ -346,10 +346,10 @@ std::string status_frame(const StackView& view, std::int64_t now_ns) {
   Json frame = {{"type", "status"},
                 {"health", {{"level", label(health.level)}, {"text", health.text}, {"remedy", health.remedy}, {"anew", health.anew}}},
                 {"stop", label(view.state().value.stop_kind)},
-                {"state_hz", number(view.state_rate(), 1)},
-                {"command_hz", number(view.command_rate(), 1)},
-                {"guard_hz", number(view.guard_rate(), 1)},
-                {"realtime_factor", number(view.realtime_factor(), 3)},
+                {"state_hz", number(view.rates().state(), 1)},
+                {"command_hz", number(view.rates().command(), 1)},
+                {"guard_hz", number(view.rates().guard(), 1)},
+                {"realtime_factor", number(view.rates().realtime_factor(), 3)},
                 {"sources", sources(view, now_ns)},
                 {"processes", processes(view, now_ns)}};
   if (view.controller().fresh(now_ns, kSenderFresh)) {

@@ -107,9 +107,9 @@ Health assess(const StackView& view, std::int64_t now_ns) {
   if (view.guard().fresh(now_ns, kSenderSilent) && view.guard().value.hold_mask != 0) {
     return {HealthLevel::kWarning, "The guard holds joints: a self-collision was ahead."};
   }
-  if (paced(view, now_ns) && view.realtime_factor() > 0.0 && view.realtime_factor() < kSlow) {
+  if (paced(view, now_ns) && view.rates().realtime_factor() > 0.0 && view.rates().realtime_factor() < kSlow) {
     return {HealthLevel::kWarning,
-            formatted("Slower than real time: factor %.2f", view.realtime_factor()) +
+            formatted("Slower than real time: factor %.2f", view.rates().realtime_factor()) +
                 (pace_of(view, now_ns) == Pace::kPatient ? ": the simulated world waits for late commands." : ".")};
   }
   if (view.truth_applies(now_ns) && view.truth().value.doubted_steps > 0) {
@@ -119,7 +119,7 @@ Health assess(const StackView& view, std::int64_t now_ns) {
             "A smaller step mends it: ./twinbus tune."};
   }
   if (pace_of(view, now_ns) == Pace::kSlowed) {
-    return {HealthLevel::kGood, formatted("Slowed down on purpose: %.2f times real time.", view.realtime_factor())};
+    return {HealthLevel::kGood, formatted("Slowed down on purpose: %.2f times real time.", view.rates().realtime_factor())};
   }
   const ControllerStatus& controller = view.controller().value;
   const char* doing = controller.motion != Motion::kNone ? label(controller.motion) : label(mode);

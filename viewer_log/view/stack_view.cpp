@@ -15,7 +15,6 @@ constexpr std::size_t kMaxSenders =
 constexpr std::size_t kMaxEvents = 60;
 constexpr std::int64_t kAgain = 30'000'000;  // the same event within this is counted [us]
 constexpr double kSilent = 10.0;      // [s]
-constexpr double kRateWindow = 2.0;   // [s]; shorter, a page sees the jitter of the viewer
 constexpr double kTruthFresh = 0.25;  // [s]
 constexpr double kStateFresh = 0.25;  // [s]
 
@@ -49,18 +48,6 @@ std::string text_of(const std::array<char, N>& text) {
 
 }  // namespace
 
-void RateMeter::update(std::int64_t total, std::int64_t now_ns) {
-  if (total_ < 0) {
-    total_ = total;
-    since_ns_ = now_ns;
-  }
-  const double elapsed = 1e-9 * static_cast<double>(now_ns - since_ns_);
-  if (!(elapsed >= kRateWindow)) return;
-  rate_ = static_cast<double>(total - total_) / elapsed;
-  total_ = total;
-  since_ns_ = now_ns;
-}
-
 StackView::StackView(const Model& model) : model_(&model), estimator_(model), margins_(model) {}
 
 void StackView::on_state(const RobotState& state, std::int64_t now_ns) {
@@ -69,14 +56,6 @@ void StackView::on_state(const RobotState& state, std::int64_t now_ns) {
   if (!state_.fresh(now_ns, kStateFresh)) state_since_ns_ = now_ns;
   state_ = {state, now_ns};
   estimator_.update(state);
-  const double elapsed = 1e-9 * static_cast<double>(now_ns - factor_since_ns_);
-  if (elapsed >= 1.0) {
-    const double advanced = 1e-9 * static_cast<double>(state.time_ns - factor_time_ns_);
-    realtime_factor_ =
-        factor_since_ns_ != 0 && elapsed < 3.0 && advanced >= 0.0 ? advanced / elapsed : 0.0;
-    factor_time_ns_ = state.time_ns;
-    factor_since_ns_ = now_ns;
-  }
 }
 
 void StackView::on_standby_state(const RobotState& state, std::int64_t now_ns) {
@@ -179,10 +158,11 @@ bool StackView::footsteps_apply(std::int64_t now_ns) const {
 }
 
 void StackView::on_totals(std::int64_t states, std::int64_t commands, std::int64_t guards,
-                          std::int64_t now_ns) {
-  state_rate_.update(states, now_ns);
-  command_rate_.update(commands, now_ns);
-  guard_rate_.update(guards, now_ns);
+                          std::int64_t now_ns, Receiver receiver) {
+  const RobotState& state = state_.value;
+  const BusTotals totals{.states = states, .commands = commands, .guards = guards, .run_id = state.run_id,
+                         .tick = state.tick, .time_ns = state.time_ns, .state_at_ns = state_.at_ns};
+  rates_.update(totals, now_ns, receiver);
 }
 
 bool StackView::truth_applies(std::int64_t now_ns) const {

@@ -19,6 +19,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/messages.h"
 #include "viewer_log/view/arm_path_view.h"
+#include "viewer_log/view/bus_rates.h"
 #include "viewer_log/view/camera_view.h"
 #include "viewer_log/view/shape_set.h"
 
@@ -30,17 +31,6 @@ struct Heard {
   std::int64_t at_ns = 0;  // when it came, 0 never
   double age(std::int64_t now_ns) const { return at_ns == 0 ? 1e9 : 1e-9 * double(now_ns - at_ns); }
   bool fresh(std::int64_t now_ns, double limit) const { return age(now_ns) < limit; }
-};
-
-// Messages per second, from a total that only grows; renewed every two seconds.
-class RateMeter {
- public:
-  void update(std::int64_t total, std::int64_t now_ns);
-  double rate() const { return rate_; }
-
- private:
-  std::int64_t total_ = -1, since_ns_ = 0;
-  double rate_ = 0.0;
 };
 
 struct ShownEvent {
@@ -78,7 +68,7 @@ class StackView {
   }
   // Messages admitted so far on STATE, COMMAND and GUARD.
   void on_totals(std::int64_t states, std::int64_t commands, std::int64_t guards,
-                 std::int64_t now_ns);
+                 std::int64_t now_ns, Receiver receiver = Receiver::kExact);
 
   // The robot behind the bridge is a stand-in, which begins anew with its stack.
   void say_stand_in(bool stand_in) { stand_in_ = stand_in; }
@@ -127,11 +117,7 @@ class StackView {
   std::int64_t scene_version() const {
     return things_changes_ + terrain_.version() + loose_.version() + anchors_;
   }
-  double state_rate() const { return state_rate_.rate(); }
-  double command_rate() const { return command_rate_.rate(); }
-  double guard_rate() const { return guard_rate_.rate(); }
-  // Time of the state per time of this machine, over the last second; 0 when unknown.
-  double realtime_factor() const { return realtime_factor_; }
+  const BusRates& rates() const { return rates_; }
 
   // Forgets processes and sources silent for 10 s.  Call now and then.
   void forget_silent(std::int64_t now_ns);
@@ -162,9 +148,7 @@ class StackView {
   ShapeSet loose_{ShapeSet::Matters::kShapes};
   std::int64_t loose_ns_ = 0, anchors_ = 0;
   Heard<ObstaclesPiece> footsteps_;
-  RateMeter state_rate_, command_rate_, guard_rate_;
-  std::int64_t factor_time_ns_ = 0, factor_since_ns_ = 0;
-  double realtime_factor_ = 0.0;
+  BusRates rates_;
   std::int64_t anchored_run_ = 0;
   Eigen::Isometry3d world_from_sim_ = Eigen::Isometry3d::Identity();
 };

@@ -16,7 +16,7 @@ import { Link } from './link.js';
 import { PairLine } from './pair_line.js';
 import { Panels } from './panels.js';
 import { Parts } from './parts.js';
-import { beginOnPhone } from './phone.js';
+import { beginOnPhone, onPhone } from './phone.js';
 import { Plots } from './plots.js';
 import { Pusher } from './push.js';
 import { Recorder } from './record.js';
@@ -399,7 +399,7 @@ function draw() {
   wholeDrawn = newest !== null && robot.whole;
 }
 beginOnPhone(chips.panels);
-followBars(document.querySelector('header'), document.querySelector('footer'), (top, foot) => stage.keepBetween(top, foot));
+followBars(document.querySelector('header'), document.querySelector('footer'), (top, foot) => stage.keepBetween(...(onPhone() ? [top, foot] : [0, 0])));
 if (restoreView(stage, plots)) chips.plots();
 if (fragment().get('follow') === '0') chips.follow();
 // The first picture is slow to come: it waits for the robot, but not for ever.

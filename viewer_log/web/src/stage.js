@@ -14,7 +14,7 @@ const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels,
 const kSlowFrames = 12;    // so many in a row
 const kFollow = 200;       // the camera lags behind the robot [ms]
 const kUsualSize = 0.85;   // half the diagonal of a robot that the first view fits [m]
-const kFilled = 1.24;      // of the height between the bars, so that the robot of the first view just does not touch them
+const kFilled = 1.18;      // of the height between the bars, so that the robot of the first view just does not touch them
 const kPlainPixels = 0.75; // of each direction, where the processor draws
 
 const kDark = { sky: 0x141b26, floor: '#1c2634', thin: '#2b394c', thick: '#4d6685', ambient: 1.5 };
@@ -141,10 +141,10 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  // A robot stands clear of bars of that height at the top and at the bottom [px].
+  // The robot stands in the middle between bars of that height at the top and at the bottom [px], and clear of them.
   keepBetween(top, foot) {
     this.camera.zoom = Math.min(1, kFilled * Math.max(0.4, (innerHeight - top - foot) / innerHeight));
-    this.camera.updateProjectionMatrix();
+    this.camera.setViewOffset(innerWidth, innerHeight, 0, (foot - top) / 2, innerWidth, innerHeight);
   }
 
   show(live) {
