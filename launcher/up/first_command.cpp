@@ -14,7 +14,7 @@ namespace {
 constexpr double kTellOfWaiting = 1.5;                  // [s]
 constexpr double kPatience = 10.0, kUserPatience = 60.0;  // [s]
 constexpr double kDevicePatience = 3.0;                  // a bridge tries again [s]
-constexpr double kClearWithin = 2.0, kAskAgain = 0.15;  // [s]
+constexpr double kClearWithin = 2.0, kClearAgain = 0.15;  // [s]
 
 double seconds_since(std::int64_t begin_ns) { return 1e-9 * static_cast<double>(monotonic_ns() - begin_ns); }
 
@@ -46,7 +46,7 @@ bool clear_early_stop(BusLink& bus) {
       bus.send(request);
     }
     if (!stopped) return cleared;
-    bus.listen(kAskAgain);
+    bus.listen(kClearAgain);
   }
   return false;
 }

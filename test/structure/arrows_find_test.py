@@ -98,6 +98,8 @@ def wrong_with_names_of_a_folder():
             yield f"a folder that says twice: {line}"
         if shared(line):
             yield f"a folder that says once: {line}"
+    if len(shared("constexpr double kOne = 1.0, kShare = 0.5;", "constexpr double kShare = 0.25;")) != 1:
+        yield "a folder that says twice, once in a list"
     if len(shared("using Found = int;", "using Found = double;")) != 1 or shared("using Found = int;", "using Found = int;"):
         yield "one name for two types"
     if shared("double between(double a) {", "double between(int a) {"):

@@ -38,6 +38,9 @@ def named(line):
     return found[1] + PARAMETER_NAME.sub("", found[2].split(")")[0] + ")").replace(" ", "")
 
 
+ALSO = re.compile(r",\s*(k[A-Z]\w*)\s*(?==[^=]|\{)")  # constexpr double kOne = 1.0, kTwo = 2.0;
+
+
 def names_of(text):
     inside = False
     for number, line in enumerate(text.splitlines(), 1):
@@ -46,6 +49,9 @@ def names_of(text):
         elif inside and (line[:1].isalpha() or line.startswith("[[")):
             if name := named(line):
                 yield name, number, line
+            if line.startswith("constexpr "):
+                for also in ALSO.findall(line):
+                    yield also, number, line
 
 
 def hidden_types(root, found):

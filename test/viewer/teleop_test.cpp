@@ -8,7 +8,7 @@
 namespace twinbus {
 namespace {
 
-constexpr std::int64_t kRun = 42;
+constexpr std::int64_t kTeleopRun = 42;
 constexpr std::int64_t kSecond = 1'000'000'000;
 
 PadInput held() {
@@ -38,7 +38,7 @@ bool all_zero(const Gamepad& pad) {
 // A pad that has been taken hold of.
 Teleop armed() {
   Teleop teleop(7, false);
-  teleop.on_source(kRun, false);
+  teleop.on_source(kTeleopRun, false);
   teleop.on_pad(released());
   teleop.on_pad(held());
   return teleop;
@@ -95,7 +95,7 @@ TEST(Teleop, DeadZoneIsTakenOffAndTheRestReachesOne) {
 
 TEST(Teleop, TakingHoldNeedsCentredSticksAndAFreshPress) {
   Teleop teleop(7, false);
-  teleop.on_source(kRun, false);
+  teleop.on_source(kTeleopRun, false);
   teleop.on_pad(held());  // held since before the program started
   EXPECT_FALSE(teleop.holding());
   teleop.on_pad(released());
@@ -149,12 +149,12 @@ TEST(Teleop, StopWorksWithoutTheDeadmanAndLatches) {
 TEST(Teleop, AStopClearedBySomebodyElseUnlatches) {
   Teleop teleop = armed();
   teleop.on_pad(pressed(kPadB));
-  teleop.on_source(kRun, false);  // our stop has not reached the source yet
+  teleop.on_source(kTeleopRun, false);  // our stop has not reached the source yet
   EXPECT_TRUE(teleop.stop_latched());
-  teleop.on_source(kRun, true);
+  teleop.on_source(kTeleopRun, true);
   teleop.on_no_source();
   EXPECT_TRUE(teleop.stop_latched());
-  teleop.on_source(kRun, false);
+  teleop.on_source(kTeleopRun, false);
   EXPECT_FALSE(teleop.stop_latched());
 }
 
@@ -174,11 +174,11 @@ TEST(Teleop, ModeButtonsNeedTheDeadman) {
 
 TEST(Teleop, RunIsTheOneSeenWhenTakingHold) {
   Teleop teleop = armed();
-  teleop.on_source(kRun + 1, false);
+  teleop.on_source(kTeleopRun + 1, false);
   teleop.on_pad(held());
-  EXPECT_EQ(teleop.message(0, 0).run_id, kRun);
+  EXPECT_EQ(teleop.message(0, 0).run_id, kTeleopRun);
   teleop.on_pad(released());
-  EXPECT_EQ(teleop.message(0, 0).run_id, kRun + 1);
+  EXPECT_EQ(teleop.message(0, 0).run_id, kTeleopRun + 1);
 }
 
 TEST(Teleop, SequenceCountsEveryMessage) {
@@ -300,7 +300,7 @@ TEST(CheatSheet, NamesEveryControl) {
 
 TEST(Teleop, CapitalsMoveAHandByTwentyMillimetresAndLeaveTheBodyAlone) {
   Teleop teleop(7, true);
-  teleop.on_source(kRun, false);
+  teleop.on_source(kTeleopRun, false);
   for (const char key : {'W', 'W', 'D', 'I'}) teleop.on_key(key, kSecond);
   const std::array<double, 3> move = teleop.take_hand_move().by;
   EXPECT_NEAR(move[0], 0.04, 1e-12);
@@ -322,7 +322,7 @@ TEST(Teleop, AllArmsOfARobotAreSteppedThrough) {
   Teleop keys(7, true);
   const std::array<ArmSide, 3> three{ArmSide::kThird, ArmSide::kFourth, ArmSide::kFifth};
   keys.set_hands(three);
-  keys.on_source(kRun, false);
+  keys.on_source(kTeleopRun, false);
   EXPECT_EQ(keys.hand(), ArmSide::kThird);
   for (const ArmSide next : {ArmSide::kFourth, ArmSide::kFifth, ArmSide::kThird}) {
     keys.on_key('h', kSecond);
@@ -364,7 +364,7 @@ TEST(Teleop, WithTheRightBumperTheSticksMoveAHandAndLeaveTheBodyAlone) {
 
 TEST(Teleop, CapitalsTurnAHandAndSignsMoveAJoint) {
   Teleop teleop(7, true);
-  teleop.on_source(kRun, false);
+  teleop.on_source(kTeleopRun, false);
   for (const char key : {'O', 'O', 'G', 'J', '+', '=', '-', '+'}) teleop.on_key(key, kSecond);
   const HandMove move = teleop.take_hand_move();
   EXPECT_EQ(move.by, (std::array<double, 3>{}));
