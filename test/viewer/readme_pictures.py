@@ -23,6 +23,7 @@ size = (1440, 810)
 
 
 def keep(page, name):
+    page.value("document.getElementById('late') && (document.getElementById('late').style.display = 'none')")  # of this machine
     data = with_few_colours(page.screenshot())
     (folder / name).write_bytes(data)
     print(f"{folder / name}: {len(data) // 1000} kB; console: {page.console}")
